@@ -40,9 +40,8 @@ inline workcell::Entity chainRobot(const Chain& chain) {
   workcell::Entity entity;
   entity.id = 1;
   entity.name = "robot";
-  entity.kind = workcell::EntityKind::kRobot;
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(model));
-  entity.joints = {0.3, 0.4, 0.2, 0.5, 0.1, 0.4, 0.0};
+  entity.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(model)),
+                                 .joints = {0.3, 0.4, 0.2, 0.5, 0.1, 0.4, 0.0}}};
   return entity;
 }
 

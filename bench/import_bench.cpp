@@ -35,9 +35,9 @@ std::size_t trianglesOf(const ImportResult& result) {
   std::size_t sum = 0;
   std::set<const void*> seen;
   for (const Entity& entity : result.entities) {
-    if (entity.mesh && seen.insert(entity.mesh.get()).second) sum += entity.mesh->triangles.size();
-    if (!entity.robot) continue;
-    for (const auto& link : entity.robot->links)
+    if (entity.mesh() && seen.insert(entity.mesh().get()).second) sum += entity.mesh()->triangles.size();
+    if (!entity.robot()) continue;
+    for (const auto& link : entity.robot()->links)
       for (const auto& shape : link.visuals)
         if (seen.insert(shape.mesh.get()).second) sum += shape.mesh->triangles.size();
   }

@@ -30,7 +30,7 @@ workcell::Entity solid(workcell::EntityId id, std::shared_ptr<const geometry::Tr
   entity.id = id;
   entity.name = "part" + std::to_string(id);
   entity.X_WE = X_WE;
-  entity.mesh = std::move(mesh);
+  entity.body = workcell::Solid{std::move(mesh)};
   return entity;
 }
 
@@ -40,9 +40,9 @@ constexpr std::chrono::milliseconds kPeriod{2};
 std::size_t trianglesOf(const std::vector<workcell::Entity>& entities) {
   std::size_t triangles = 0;
   for (const auto& entity : entities) {
-    if (entity.mesh) triangles += entity.mesh->triangles.size();
-    if (!entity.robot) continue;
-    for (const auto& link : entity.robot->links) {
+    if (entity.mesh()) triangles += entity.mesh()->triangles.size();
+    if (!entity.robot()) continue;
+    for (const auto& link : entity.robot()->links) {
       for (const auto& shape : link.collisions) triangles += shape.mesh->triangles.size();
     }
   }

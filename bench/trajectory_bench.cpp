@@ -134,7 +134,7 @@ void check() {
     part.id = i + 2;
     part.name = "part" + std::to_string(part.id);
     part.X_WE = placed[i].X_WP;
-    part.mesh = std::make_shared<const geometry::TriangleMesh>(placed[i].mesh);
+    part.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(placed[i].mesh)};
     entities.push_back(std::move(part));
   }
   const auto scene = manipulation::PreparedScene::prepare(entities, {}, {});
@@ -143,7 +143,7 @@ void check() {
     motion.entity = "robot";
     for (int j = 0; j < 7; ++j) motion.joint_names.push_back("joint" + std::to_string(j));
     const auto jointsAt = [&](double t) {
-      std::vector<double> q = entities.front().joints;
+      std::vector<double> q = entities.front().joints();
       for (std::size_t j = 0; j < q.size(); ++j)
         q[j] += swing * std::sin(0.3 * t * (1.0 + 0.2 * static_cast<double>(j)));
       return q;

@@ -143,16 +143,16 @@ Expected<Robot> loadRobot(bool limited) {
   Diagnostics diagnostics;
   auto entity = workcell::EntityLoader(".").load("library:hc6", 1.0, diagnostics);
   HAPTICELL_TRY(entity);
-  auto model = std::make_shared<kinematics::RobotModel>(*entity->robot);
+  auto model = std::make_shared<kinematics::RobotModel>(*entity->robot());
   if (limited) {
     kinematics::Joint& joint = model->joints[static_cast<std::size_t>(model->moving[kForearm - 1])];
     joint.upper = restJoints()[kForearm - 1] + kLimitAhead;
   }
-  int tip = model->findLink(entity->tip_link);
+  int tip = model->findLink(entity->jointed().tip_link);
   if (tip < 0) tip = model->defaultTip();
-  auto inverse = kinematics::NumericInverse::create(*model, tip, entity->X_LT);
+  auto inverse = kinematics::NumericInverse::create(*model, tip, entity->jointed().X_LT);
   HAPTICELL_TRY(inverse);
-  return Robot{model, {tip, entity->X_LT}, std::move(*inverse)};
+  return Robot{model, {tip, entity->jointed().X_LT}, std::move(*inverse)};
 }
 
 template <typename Scene>

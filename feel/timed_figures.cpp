@@ -39,7 +39,7 @@ workcell::Entity solid(workcell::EntityId id, const std::string& name,
   entity.id = id;
   entity.name = name;
   entity.X_WE = Pose::translation(p_WE);
-  entity.mesh = std::move(mesh);
+  entity.body = workcell::Solid{std::move(mesh)};
   return entity;
 }
 

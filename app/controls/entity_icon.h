@@ -7,19 +7,20 @@ namespace hapticell::app {
 
 /// The name of the icon that lists show an entity by.
 inline const char* entityIcon(const workcell::Entity& entity) {
-  switch (entity.kind) {
+  switch (entity.kind()) {
     case workcell::EntityKind::kAssembly:
       return "folder";
     case workcell::EntityKind::kMannequin:
       return "mannequin";
     case workcell::EntityKind::kFrame:
       return "frame";
-    case workcell::EntityKind::kSolid:
     case workcell::EntityKind::kRobot:
     case workcell::EntityKind::kMechanism:
+      return "robot";
+    case workcell::EntityKind::kSolid:
       break;
   }
-  return entity.robot ? "robot" : "cube";
+  return "cube";
 }
 
 }  // namespace hapticell::app

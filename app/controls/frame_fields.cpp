@@ -22,14 +22,14 @@ std::vector<FrameCarrier> frameCarriers(const workcell::DocumentState& state, wo
   std::vector<FrameCarrier> carriers{{QObject::tr("World"), 0}};
   for (const auto& entity : state.entities) {
     // An assembly has no place of its own; a mannequin's segments are no links that users know.
-    const bool carries = entity->kind != workcell::EntityKind::kAssembly && !entity->figure && !entity->unloaded;
+    const bool carries = entity->kind() != workcell::EntityKind::kAssembly && !entity->figure() && !entity->unloaded;
     if (!carries || workcell::isCarriedBy(state, *entity, frame)) continue;
     const QString name = QString::fromStdString(entity->name);
-    if (!entity->robot) {
+    if (!entity->robot()) {
       carriers.push_back({name, entity->id});
       continue;
     }
-    for (const auto& link : entity->robot->links)
+    for (const auto& link : entity->robot()->links)
       carriers.push_back({name + QStringLiteral(" · ") + QString::fromStdString(link.name), entity->id, link.name});
   }
   return carriers;
@@ -45,7 +45,7 @@ FrameFields::FrameFields(Host& host, QWidget* parent) : QWidget(parent), host_(h
 }
 
 void FrameFields::showFrame(const workcell::Entity& entity) {
-  const bool frame = entity.kind == workcell::EntityKind::kFrame;
+  const bool frame = entity.kind() == workcell::EntityKind::kFrame;
   setVisible(frame);
   id_ = frame ? entity.id : 0;
   if (!frame) return;
@@ -62,7 +62,7 @@ void FrameFields::showFrame(const workcell::Entity& entity) {
   now_ = 0;
   for (std::size_t k = 0; k < carriers_.size(); ++k) {
     const workcell::Entity* to = state.find(carriers_[k].to);
-    if (to && to->name == entity.attachment.to && (!to->robot || carriers_[k].link == entity.attachment.link))
+    if (to && to->name == entity.attachment.to && (!to->robot() || carriers_[k].link == entity.attachment.link))
       now_ = static_cast<int>(k);
   }
   carrier_->setCurrentIndex(now_);

@@ -39,12 +39,12 @@ Pose poseFromNumbers(const std::array<double, 6>& numbers) {
 }
 
 Pose tcpPose_W(const workcell::Entity& robot, const Pose& X_WB, const std::vector<double>& joints) {
-  if (!robot.robot || joints.size() != robot.robot->dof()) return X_WB;
-  const int tip = robot.robot->findLink(robot.tip_link);
+  if (!robot.robot() || joints.size() != robot.robot()->dof()) return X_WB;
+  const int tip = robot.robot()->findLink(robot.jointed().tip_link);
   if (tip < 0) return X_WB;
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*robot.robot, joints, X_BL);
-  return X_WB * X_BL[static_cast<std::size_t>(tip)] * robot.X_LT;
+  kinematics::forwardKinematics(*robot.robot(), joints, X_BL);
+  return X_WB * X_BL[static_cast<std::size_t>(tip)] * robot.jointed().X_LT;
 }
 
 }  // namespace hapticell::app

@@ -15,7 +15,7 @@ std::vector<Reference> referencesOf(const workcell::DocumentState& state, workce
   for (const auto& entity : state.entities) {
     if (without != 0 && workcell::isCarriedBy(state, *entity, without)) continue;
     const QString name = QString::fromStdString(entity->name);
-    if (entity->kind == workcell::EntityKind::kFrame) found.push_back({name, entity->id});
+    if (entity->kind() == workcell::EntityKind::kFrame) found.push_back({name, entity->id});
     for (const workcell::Frame& frame : entity->frames)
       own.push_back({name + QStringLiteral(" · ") + QString::fromStdString(frame.name), entity->id, frame.name});
   }

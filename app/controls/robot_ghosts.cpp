@@ -14,7 +14,7 @@ void addCarried(const workcell::DocumentState& state, const workcell::Entity& ca
     if (entity->attachment.to != carrier.name) continue;
     workcell::Entity moved = *entity;
     moved.X_WE = workcell::carrierPose(carrier, entity->attachment.link) * entity->attachment.X_LE;
-    ghosts.push_back({moved.id, moved.X_WE, moved.joints, ghosts.front().touches});
+    ghosts.push_back({moved.id, moved.X_WE, moved.joints(), ghosts.front().touches});
     addCarried(state, moved, ghosts);
   }
 }
@@ -24,7 +24,7 @@ void addCarried(const workcell::DocumentState& state, const workcell::Entity& ca
 std::vector<GhostPose> robotGhosts(const workcell::DocumentState& state, workcell::EntityId robot,
                                    const std::vector<double>& joints, bool touches) {
   const workcell::Entity* found = state.find(robot);
-  if (!found || !found->robot || joints.size() != found->robot->dof()) return {};
+  if (!found || !found->robot() || joints.size() != found->robot()->dof()) return {};
   return entityGhosts(state, robot, found->X_WE, joints, touches);
 }
 
@@ -34,7 +34,7 @@ std::vector<GhostPose> entityGhosts(const workcell::DocumentState& state, workce
   if (!found) return {};
   workcell::Entity moved = *found;
   moved.X_WE = X_WE;
-  moved.joints = joints;
+  moved.setJoints(joints);
   std::vector<GhostPose> ghosts{{entity, X_WE, joints, touches}};
   addCarried(state, moved, ghosts);
   return ghosts;

@@ -70,8 +70,8 @@ std::optional<Pose> EntityGizmo::pose_W() const {
   Pose X_WG = entity.X_WE;
   const HoldChoice& hold = host_.holdChoice();
   if (hold.is<by::Center>()) {
-    const auto bounds = entity.mesh ? entity.mesh->bounds() : geometry::Bounds();
-    X_WG.p = entity.mesh ? X_WG * bounds.center() : host_.viewport().scene().boundsOf_W(entity.id).center();
+    const auto bounds = entity.mesh() ? entity.mesh()->bounds() : geometry::Bounds();
+    X_WG.p = entity.mesh() ? X_WG * bounds.center() : host_.viewport().scene().boundsOf_W(entity.id).center();
   }
   for (const workcell::Frame& frame : entity.frames)
     if (hold.is<by::Frame>() && frame.name == hold.frame()) X_WG = entity.X_WE * frame.X_EF;

@@ -24,7 +24,7 @@ bool isCarried(const workcell::DocumentState& state, const workcell::Entity& ent
   // Below an assembly, however deep, everything goes with it; below others it stays.
   const workcell::Entity* above = state.findByName(entity.parent);
   for (std::size_t step = 0; above && step <= state.entities.size(); ++step) {
-    if (above->kind == workcell::EntityKind::kAssembly && takesAlong(above)) return true;
+    if (above->kind() == workcell::EntityKind::kAssembly && takesAlong(above)) return true;
     above = state.findByName(above->parent);
   }
   return false;

@@ -50,8 +50,8 @@ dvec3 floorInView(const Camera& camera) {
 
 /// The link that carries the robot's tool; -1 where it has none.
 int tipOf(const Entity& robot) {
-  const int tip = robot.robot->findLink(robot.tip_link);
-  return tip >= 0 ? tip : robot.robot->defaultTip();
+  const int tip = robot.robot()->findLink(robot.jointed().tip_link);
+  return tip >= 0 ? tip : robot.robot()->defaultTip();
 }
 
 }  // namespace
@@ -183,7 +183,7 @@ std::optional<Entity> PartPanel::part() const {
   auto made = workcell::makeBuiltInPart(source(), 1.0);
   if (!made) return std::nullopt;
   // The fields say where its lower side stands, whatever its own origin is.
-  made->X_WE = place_->X_W() * Pose::translation({0.0, 0.0, -made->mesh->bounds().min.z});
+  made->X_WE = place_->X_W() * Pose::translation({0.0, 0.0, -made->mesh()->bounds().min.z});
   made->name = partName(chosen()).toStdString();
   return std::move(*made);
 }
@@ -237,7 +237,7 @@ void PartPanel::showRobots() {
   mount_on_->clear();
   mount_on_->addItem(tr("Nothing (free-standing)"), QVariant::fromValue<qulonglong>(0));
   for (const auto& entity : host_.documentModel().document().state().entities) {
-    if (entity->kind != workcell::EntityKind::kRobot || tipOf(*entity) < 0) continue;
+    if (entity->kind() != workcell::EntityKind::kRobot || tipOf(*entity) < 0) continue;
     mount_on_->addItem(QString::fromStdString(entity->name), QVariant::fromValue<qulonglong>(entity->id));
   }
   // A gripper is for the robot that is chosen, or the only one.
@@ -286,7 +286,7 @@ void PartPanel::insertThere() {
   if (robot) {
     const int tip = tipOf(*robot);
     std::vector<Pose> X_BL;
-    kinematics::forwardKinematics(*robot->robot, robot->joints, X_BL);
+    kinematics::forwardKinematics(*robot->robot(), robot->joints(), X_BL);
     made->X_WE = robot->X_WE * X_BL[static_cast<std::size_t>(tip)];
   }
   document.beginStep(tr("Insert %1").arg(QString::fromStdString(name)));
@@ -303,11 +303,11 @@ void PartPanel::mount(workcell::EntityId part, const Entity& robot) {
   DocumentModel& document = host_.documentModel();
   const workcell::EntityId id = robot.id;
   const int tip = tipOf(robot);
-  const std::string link = robot.robot->links[static_cast<std::size_t>(tip)].name;
-  const bool bare = robot.X_LT.p == dvec3(0.0);
+  const std::string link = robot.robot()->links[static_cast<std::size_t>(tip)].name;
+  const bool bare = robot.jointed().X_LT.p == dvec3(0.0);
   const QString name = QString::fromStdString(robot.name);
   if (!document.execute(workcell::Attach{part, id, link}) || !bare) return;
-  const double ahead = document.document().find(part)->mesh->bounds().max.z;
+  const double ahead = document.document().find(part)->mesh()->bounds().max.z;
   if (!document.execute(workcell::SetTool{id, link, Pose::translation({0.0, 0.0, ahead})})) return;
   host_.messages().tell(Severity::kInformation, tr("The TCP of %1 is at the gripper's finger tips").arg(name),
                         tr("%1 mm in front of the flange. To change it, use the Robot panel or undo the insertion.")

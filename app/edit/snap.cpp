@@ -37,9 +37,9 @@ std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& positio
     const QString name = QString::fromStdString(entity.name);
     for (const workcell::Frame& frame : entity.frames)
       look(X_WE * frame.X_EF, Snap::tr("Frame %1 of %2").arg(QString::fromStdString(frame.name), name), false);
-    if (entity.kind == workcell::EntityKind::kFrame)
+    if (entity.kind() == workcell::EntityKind::kFrame)
       look(X_WE, Snap::tr("Frame %1").arg(name), false);
-    else if (entity.kind != workcell::EntityKind::kAssembly)
+    else if (entity.kind() != workcell::EntityKind::kAssembly)
       look(X_WE, Snap::tr("Origin of %1").arg(name), true);
   }
   if (nearest && !is_origin) return nearest;

@@ -155,8 +155,8 @@ class ErgonomicsDocks : public QObject {
     if (coloured_) {
       const Theme& theme = themeOf(panel_->palette());
       const auto bands = ergonomics::segmentBands(scores_.scores(), panel_->method());
-      for (int link = 0; link < static_cast<int>(entity->robot->links.size()); ++link) {
-        int body = mannequin::bodyOfLink(*entity->robot, link);
+      for (int link = 0; link < static_cast<int>(entity->robot()->links.size()); ++link) {
+        int body = mannequin::bodyOfLink(*entity->robot(), link);
         if (body < 0) continue;
         auto segment = static_cast<std::size_t>(body);
         while (segment >= mannequin::kSegmentCount) segment = mannequin::parentBody(segment);

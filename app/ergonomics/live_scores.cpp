@@ -135,10 +135,10 @@ void LiveScores::look() {
   const mannequin::Posture posture = context_.posture();
   const auto* given = context_.host().documentModel().document().state().workTaskOf(entity->name);
   const ergonomics::WorkTask task = given ? *given : ergonomics::WorkTask{};
-  const bool same = figure_ == entity->figure && scores_ && samePosture(posture, posture_) && task == task_ &&
+  const bool same = figure_ == entity->figure() && scores_ && samePosture(posture, posture_) && task == task_ &&
                     has_task_ == (given != nullptr);
   if (same && !bodies_late_) return;
-  figure_ = entity->figure;
+  figure_ = entity->figure();
   posture_ = posture;
   task_ = task;
   has_task_ = given != nullptr;

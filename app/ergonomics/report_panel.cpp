@@ -237,7 +237,7 @@ void ReportPanel::takeScene(int samples) {
   mannequin::Posture posture = scores_.posture();
   if (isOfPhase()) {
     posture = placedHere(*entity, motion_.posture(motion_.worstFrame()));
-    const auto stands = mannequin::toModel(*entity->figure, posture);
+    const auto stands = mannequin::toModel(*entity->figure(), posture);
     scene.setPlayed({{entity->id, stands.X_WE, stands.joints}});
     scene.setLinkLooks(entity->id, {});  // They are of the posture in which it stands.
   } else {

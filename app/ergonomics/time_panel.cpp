@@ -132,7 +132,7 @@ bool TimePanel::saveMotion(const QString& path) {
   if (!entity || motion_.isEmpty()) return false;
   const auto written = writeFileAtomically(
       path.toStdString(),
-      mannequin::bvhText(*entity->figure, motion_.postures(), motion_.seconds() / motion_.frames()));
+      mannequin::bvhText(*entity->figure(), motion_.postures(), motion_.seconds() / motion_.frames()));
   if (written)
     context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
   else
@@ -176,7 +176,7 @@ void TimePanel::showPlayed(bool on) {
   std::vector<GhostPose> played;
   if (on && entity && !motion_.isEmpty() && !context_.isHeld()) {
     const auto posture = placedHere(*entity, motion_.posture(frame_));
-    const auto stands = mannequin::toModel(*entity->figure, posture);
+    const auto stands = mannequin::toModel(*entity->figure(), posture);
     played.push_back({entity->id, stands.X_WE, stands.joints});
   }
   context_.host().viewport().scene().setPlayed(std::move(played));

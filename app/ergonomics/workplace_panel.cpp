@@ -129,7 +129,7 @@ void WorkplacePanel::fillStation() {
   const auto& entities = context_.host().documentModel().document().state().entities;
   std::vector<const workcell::Entity*> wanted;
   for (const auto& entity : entities)
-    if (!entity->figure && entity->kind != workcell::EntityKind::kFrame && entity->attachment.to.empty() &&
+    if (!entity->figure() && entity->kind() != workcell::EntityKind::kFrame && entity->attachment.to.empty() &&
         !entity->locked)
       wanted.push_back(entity.get());
   bool same = station_->count() == static_cast<int>(wanted.size());

@@ -142,7 +142,7 @@ std::vector<dvec3> thinnedPath(const std::vector<dvec3>& points, std::size_t mos
 }
 
 bool canBeGuided(const workcell::Entity& entity) {
-  return entity.kind != workcell::EntityKind::kAssembly && entity.kind != workcell::EntityKind::kFrame;
+  return workcell::hasShape(entity.kind());
 }
 
 }  // namespace hapticell::app

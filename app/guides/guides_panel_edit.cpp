@@ -174,11 +174,11 @@ dvec3 GuidesPanel::movedPoint_W(const Guide& guide) const {
   const HoldChoice& hold = host_.holdChoice();
   for (const workcell::Frame& frame : entity->frames)
     if (hold.is<by::Frame>() && frame.name == hold.frame()) return X_WE * frame.X_EF.p;
-  if (hold.is<by::Center>() && entity->mesh) {
-    const geometry::Bounds bounds = entity->mesh->bounds();
+  if (hold.is<by::Center>() && entity->mesh()) {
+    const geometry::Bounds bounds = entity->mesh()->bounds();
     return X_WE * (0.5 * (bounds.min + bounds.max));
   }
-  if (entity->robot && !hold.is<by::Base>()) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
+  if (entity->robot() && !hold.is<by::Base>()) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
   return X_WE.p;
 }
 

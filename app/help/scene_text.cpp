@@ -21,7 +21,7 @@ QString countLine(const workcell::DocumentState& state) {
   std::array<int, 6> counts{};
   int hidden = 0, locked = 0;
   for (const auto& entity : state.entities) {
-    ++counts[static_cast<std::size_t>(entity->kind)];
+    ++counts[static_cast<std::size_t>(entity->kind())];
     hidden += !entity->visible;
     locked += entity->locked;
   }

@@ -137,7 +137,7 @@ void DocumentModel::goBackTo(const Entities& before) {
   for (const auto& entity : before) {
     const workcell::Entity* now = document_.find(entity->id);
     if (now && now != entity.get())
-      (void)document_.execute(workcell::SetConfiguration{entity->id, entity->X_WE, entity->joints});
+      (void)document_.execute(workcell::SetConfiguration{entity->id, entity->X_WE, entity->joints()});
   }
 }
 

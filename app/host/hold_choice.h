@@ -38,7 +38,7 @@ class HoldChoice : public QObject {
 
   /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
   static MovedBy usual(const workcell::Entity& entity) {
-    return entity.figure ? MovedBy(by::Hand{mannequin::Side::kRight}) : MovedBy(by::Default{});
+    return entity.figure() ? MovedBy(by::Hand{mannequin::Side::kRight}) : MovedBy(by::Default{});
   }
   /// How a mannequin is taken: as was chosen where that is a mannequin's way, else as usual.
   MovedBy movedByFor(const workcell::Entity& mannequin) const {

@@ -58,7 +58,7 @@ void ExportWork::askExport(bool selection_only) {
   const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
   if (selection_only && !entity) return;
   const QString stem = selection_only ? QString::fromStdString(entity->name) : host_.documentModel().title();
-  const bool robot = selection_only && entity->robot;
+  const bool robot = selection_only && entity->robot();
   QStringList filters{tr("STEP (*.step)"), tr("glTF (*.glb)"), tr("STL (*.stl)"), tr("OBJ (*.obj)"), tr("PLY (*.ply)")};
   robot ? filters.prepend(tr("URDF (*.urdf)")) : filters.append(tr("URDF of the robot (*.urdf)"));
   const QString path = askToSave(&host_.window(), tr("Export"), stem + (robot ? ".urdf" : ".step"), filters.join(";;"));

@@ -36,7 +36,7 @@ ImportFacts factsOf(const workcell::ImportResult& result, const QString& path, Q
   facts.triangles = report.triangles;
   facts.chord = report.chord;
   facts.can_be_cut_finer = report.chord > 0.0;
-  facts.robot = result.entities.size() == 1 && result.entities[0].robot != nullptr;
+  facts.robot = result.entities.size() == 1 && result.entities[0].robot() != nullptr;
   facts.arguments = report.arguments;
   const geometry::Bounds bounds = exactBounds_W(result.entities);
   if (!bounds.isEmpty()) facts.size = bounds.size();

@@ -78,7 +78,7 @@ MeshCarePanel::MeshCarePanel(Host& host, BackgroundWork& background, QWidget* pa
 
 const workcell::Entity* MeshCarePanel::solid() const {
   const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
-  return entity && entity->mesh ? entity : nullptr;
+  return entity && entity->mesh() ? entity : nullptr;
 }
 
 void MeshCarePanel::showEvent(QShowEvent* event) {
@@ -99,17 +99,17 @@ void MeshCarePanel::refresh() {
     return;
   }
   name_->setText(QString::fromStdString(entity->name));
-  proxy_->setCurrent(static_cast<int>(entity->proxy.kind));
-  const CollisionProxy& proxy = entity->proxy;
+  proxy_->setCurrent(static_cast<int>(entity->proxy().kind));
+  const CollisionProxy& proxy = entity->proxy();
   proxy_text_->setText(proxy.mesh ? tr("%1 triangles, at most %2 from the mesh")
                                         .arg(countText(static_cast<double>(proxy.mesh->triangles.size())),
                                              millimetreText(proxy.deviation))
                                   : tr("The displayed mesh."));
-  if (looked_at_ != entity->mesh.get()) look();
+  if (looked_at_ != entity->mesh().get()) look();
 }
 
 void MeshCarePanel::look() {
-  const auto mesh = solid()->mesh;
+  const auto mesh = solid()->mesh();
   looked_at_ = mesh.get();
   const QString triangles = tr("%1 triangles").arg(countText(static_cast<double>(mesh->triangles.size())));
   counts_->setText(triangles);
@@ -136,7 +136,7 @@ void MeshCarePanel::replace(workcell::EntityId id, const workcell::SourceFile& s
   if (!entity) return;
   workcell::Entity fresh = *entity;
   fresh.source = source;
-  fresh.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  fresh.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(std::move(mesh))};
   if (host_.documentModel().execute(workcell::ReplaceShape{id, std::move(fresh)}))
     host_.messages().tell(Severity::kInformation, QString::fromStdString(entity->name), told);
 }
@@ -147,7 +147,7 @@ void MeshCarePanel::simplify() {
   workcell::SourceFile source = entity->source;
   source.simplified += 0.001 * tolerance_->value();
   start(QString::fromStdString(entity->name),
-        [this, id = entity->id, mesh = entity->mesh, source,
+        [this, id = entity->id, mesh = entity->mesh(), source,
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
           monitor.report(Text("simplifying"), 0.1);
           auto made = workcell::simplify(*mesh, tolerance);
@@ -169,7 +169,8 @@ void MeshCarePanel::turnOutwards() {
   source.oriented = true;
   start(
       QString::fromStdString(entity->name),
-      [this, id = entity->id, mesh = entity->mesh, source](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+      [this, id = entity->id, mesh = entity->mesh(),
+       source](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
         auto turned = std::make_shared<geometry::TriangleMesh>(*mesh);
         const std::size_t count = workcell::orient(*turned);
         const QString told = count == 0
@@ -184,7 +185,7 @@ void MeshCarePanel::chooseProxy(int kind) {
   const workcell::Entity* entity = solid();
   if (!entity) return;
   start(QString::fromStdString(entity->name),
-        [this, id = entity->id, mesh = entity->mesh, kind = static_cast<CollisionProxy::Kind>(kind),
+        [this, id = entity->id, mesh = entity->mesh(), kind = static_cast<CollisionProxy::Kind>(kind),
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
           monitor.report(Text("preparing the collision shape"), 0.1);
           auto proxy = workcell::makeProxy(*mesh, kind, tolerance);

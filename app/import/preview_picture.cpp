@@ -90,10 +90,10 @@ QRgb shaded(const std::array<float, 3>& color, double light) {
 void paint(const workcell::Entity& entity, const View& view, Canvas& canvas) {
   const std::array<float, 3> color = partColor(entity.color);
   const dvec3 light_W = glm::normalize(dvec3(0.3, -0.5, 0.9));
-  for (const geometry::Triangle& triangle : entity.mesh->triangles) {
+  for (const geometry::Triangle& triangle : entity.mesh()->triangles) {
     dvec3 p_W[3], p[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      p_W[k] = entity.X_WE * entity.mesh->vertices[triangle[k]];
+      p_W[k] = entity.X_WE * entity.mesh()->vertices[triangle[k]];
       p[k] = view.project(p_W[k]);
     }
     const dvec3 across = glm::cross(p_W[1] - p_W[0], p_W[2] - p_W[0]);
@@ -111,8 +111,8 @@ void paint(const workcell::Entity& entity, const View& view, Canvas& canvas) {
 geometry::Bounds exactBounds_W(const std::vector<workcell::Entity>& entities) {
   geometry::Bounds bounds_W;
   for (const workcell::Entity& entity : entities)
-    if (entity.mesh)
-      for (const dvec3& vertex : entity.mesh->vertices) bounds_W.add(entity.X_WE * vertex);
+    if (entity.mesh())
+      for (const dvec3& vertex : entity.mesh()->vertices) bounds_W.add(entity.X_WE * vertex);
   return bounds_W;
 }
 
@@ -127,7 +127,7 @@ QImage previewPicture(const std::vector<workcell::Entity>& entities, QSize size)
   const View view = viewOf(bounds_W, samples);
   Canvas canvas(samples);
   for (const workcell::Entity& entity : entities)
-    if (entity.mesh) paint(entity, view, canvas);
+    if (entity.mesh()) paint(entity, view, canvas);
   return canvas.image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 

@@ -66,9 +66,9 @@ void addParts(const Text& text, const NamedParts& parts, std::vector<workcell::E
 
 void addNames(const workcell::Entity& entity, workcell::EntityId id, NamedParts& parts) {
   parts.emplace(entity.name, id);
-  if (!entity.robot) return;
-  for (const kinematics::Link& link : entity.robot->links) parts.emplace(link.name, id);
-  for (const kinematics::Joint& joint : entity.robot->joints) parts.emplace(joint.name, id);
+  if (!entity.robot()) return;
+  for (const kinematics::Link& link : entity.robot()->links) parts.emplace(link.name, id);
+  for (const kinematics::Joint& joint : entity.robot()->joints) parts.emplace(joint.name, id);
 }
 
 std::vector<RemarkLine> remarkLines(const std::vector<Text>& remarks, const NamedParts& parts) {

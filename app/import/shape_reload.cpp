@@ -18,19 +18,17 @@ ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector
   Diagnostics notes;
   for (const auto& entity : state.entities) {
     const bool wanted = std::find(paths.begin(), paths.end(), entity->source.path) != paths.end();
-    const bool shapeless =
-        entity->kind == workcell::EntityKind::kAssembly || entity->kind == workcell::EntityKind::kFrame;
-    if (!wanted || entity->mechanism || shapeless || entity->unloaded) continue;
+    if (!wanted || entity->mechanism() || !workcell::hasShape(entity->kind()) || entity->unloaded) continue;
     workcell::SourceFile source = entity->source;
-    if (entity->robot) source.scale = 0.0;
+    if (entity->robot()) source.scale = 0.0;
     auto fresh = loader.loadSource(source, notes);
     if (!fresh) {
       result.problems.push_back(fresh.error().text());
       continue;
     }
-    const auto kind = entity->proxy.kind;
-    const double tolerance = entity->proxy.tolerance;
-    const auto mesh = fresh->mesh;
+    const auto kind = entity->proxy().kind;
+    const double tolerance = entity->proxy().tolerance;
+    const auto mesh = fresh->mesh();
     fresh->source = entity->source;
     result.commands.emplace_back(workcell::ReplaceShape{entity->id, std::move(*fresh)});
     if (kind == workcell::CollisionProxy::Kind::kNone || !mesh) continue;

@@ -208,7 +208,7 @@ void BodySize::showNow() {
   const workcell::Entity* entity = context_.entity();
   setEnabled(entity && context_.isFree());
   if (!entity || wait_.isActive() || busy_) return;
-  const mannequin::Figure& figure = *entity->figure;
+  const mannequin::Figure& figure = *entity->figure();
   const double stature = figure.body[Dimension::kStature];
   int boundary = -1;
   for (std::size_t i = 0; i < kBoundaries.size(); ++i) {
@@ -229,7 +229,7 @@ void BodySize::showNow() {
 
 void BodySize::showMeasure() {
   if (!context_.entity() || measure_->hasFocus()) return;
-  measure_->setValue(1000.0 * context_.entity()->figure->body.values[dimension_->currentData().toUInt()]);
+  measure_->setValue(1000.0 * context_.entity()->figure()->body.values[dimension_->currentData().toUInt()]);
 }
 
 }  // namespace hapticell::app

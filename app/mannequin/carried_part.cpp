@@ -19,7 +19,7 @@ namespace {
 std::vector<const workcell::Entity*> solidsToTake(const workcell::DocumentState& state, const std::string& carrier) {
   std::vector<const workcell::Entity*> solids;
   for (const auto& one : state.entities)
-    if (one->mesh) solids.push_back(one.get());
+    if (one->mesh()) solids.push_back(one.get());
   const auto rest = std::stable_partition(
       solids.begin(), solids.end(), [&](const workcell::Entity* solid) { return solid->attachment.to == carrier; });
   std::stable_partition(rest, solids.end(), [](const workcell::Entity* solid) { return !solid->locked; });

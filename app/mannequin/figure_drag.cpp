@@ -56,7 +56,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   context_.host().documentModel().beginStep(text);
   busy_ = true;
   const workcell::PairDefaults defaults = manipulation::pairDefaults(context_.host().configuration());
-  manipulation::HoldOptions options{moved_by, entity->on_contact, entity->force_class};
+  manipulation::HoldOptions options{moved_by, entity->contact.on_contact, entity->contact.force_class};
   pool_.start([this, work = work_, id = entity_, options, turn, scenes = context_.host().scenes(),
                source = manipulation::sourceOf(context_.host().documentModel().document(), defaults)] {
     auto way = manipulation::FigureWay::take(scenes->prepare(source), id, options, turn, work->configuration);
@@ -147,8 +147,8 @@ void FigureDrag::refuse(const QString& why) {
 void FigureDrag::forgetReach() {
   if (open_ || !reach_) return;
   const workcell::Entity* entity = context_.host().documentModel().document().find(entity_);
-  if (entity && entity->figure &&
-      glm::length(movedFrame_W(*entity, {entity->X_WE, entity->joints}, moved_by_).p - reach_->X_WM.p) < kSamePlace)
+  if (entity && entity->figure() &&
+      glm::length(movedFrame_W(*entity, {entity->X_WE, entity->joints()}, moved_by_).p - reach_->X_WM.p) < kSamePlace)
     return;
   reach_.reset();
   emit moved();
@@ -175,7 +175,7 @@ Pose movedFrame_W(const workcell::Entity& entity, const manipulation::EntityConf
                   const manipulation::MovedBy& held) {
   namespace by = manipulation::by;
   using mannequin::Side;
-  const mannequin::Figure& figure = *entity.figure;
+  const mannequin::Figure& figure = *entity.figure();
   const auto pose = mannequin::forwardKinematics(figure, mannequin::toPosture(figure, {stands.X_WE, stands.joints}));
   const Pose left = mannequin::handPose(pose, Side::kLeft), right = mannequin::handPose(pose, Side::kRight);
   if (const auto* hand = std::get_if<by::Hand>(&held)) {

@@ -129,11 +129,11 @@ void FigureDrawings::showNow() {
     return;
   }
   const mannequin::Posture posture = context_.posture();
-  const bool same = figure_ == entity->figure && posture.angles == posture_.angles &&
+  const bool same = figure_ == entity->figure() && posture.angles == posture_.angles &&
                     posture.gaze.yaw == posture_.gaze.yaw && posture.gaze.pitch == posture_.gaze.pitch &&
                     posture.X_WR.p == posture_.X_WR.p && posture.X_WR.q == posture_.X_WR.q;
   if (same) return;
-  figure_ = entity->figure;
+  figure_ = entity->figure();
   posture_ = posture;
   reach_.clear();
   nameSizes();
@@ -253,8 +253,8 @@ void FigureDrawings::lookThroughEyes() {
   const workcell::Entity* entity = context_.entity();
   if (!entity) return;
   const mannequin::Posture posture = context_.posture();
-  const auto pose = mannequin::forwardKinematics(*entity->figure, posture);
-  const Pose eyes = mannequin::eyePose(*entity->figure, pose, posture.gaze);
+  const auto pose = mannequin::forwardKinematics(*entity->figure(), posture);
+  const Pose eyes = mannequin::eyePose(*entity->figure(), pose, posture.gaze);
   constexpr double kAhead = 0.8, kBefore = 0.11;  // m; before the face, which would else be in the picture.
   const dvec3 forward = eyes.rotate({0.0, 0.0, -1.0});
   ViewportWidget& viewport = context_.host().viewport();
@@ -271,8 +271,8 @@ void FigureDrawings::lookAtTarget() {
   mannequin::Posture posture = postureOf(*entity);
   const geometry::Bounds bounds = context_.host().viewport().scene().boundsOf_W(target->id);
   const dvec3 where = bounds.isEmpty() ? target->X_WE.p : bounds.center();
-  const auto pose = mannequin::forwardKinematics(*entity->figure, posture);
-  posture.gaze = mannequin::gazeAt(*entity->figure, pose, where);
+  const auto pose = mannequin::forwardKinematics(*entity->figure(), posture);
+  posture.gaze = mannequin::gazeAt(*entity->figure(), pose, where);
   context_.host().documentModel().executeAll(tr("Gaze of %1").arg(QString::fromStdString(entity->name)),
                                              {postureCommand(*entity, posture)});
 }

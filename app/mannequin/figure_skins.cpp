@@ -48,7 +48,7 @@ FigureSkins::FigureSkins(Host& host, QObject* parent) : QObject(parent), host_(h
 void FigureSkins::look() {
   if (asking_) return;
   for (const workcell::Entity& entity : host_.viewport().scene().entities()) {
-    if (!entity.figure || !entity.robot || host_.viewport().scene().hasSkin(entity)) continue;
+    if (!entity.figure() || !entity.robot() || host_.viewport().scene().hasSkin(entity)) continue;
     return ask(entity);
   }
 }
@@ -56,12 +56,12 @@ void FigureSkins::look() {
 void FigureSkins::ask(const workcell::Entity& entity) {
   asking_ = true;
   runInThreadPool(
-      this, [figure = entity.figure] { return figureSkin(*figure); },
-      [this, id = entity.id, figure = entity.figure](std::shared_ptr<const mannequin::FigureSkin> skin) {
+      this, [figure = entity.figure()] { return figureSkin(*figure); },
+      [this, id = entity.id, figure = entity.figure()](std::shared_ptr<const mannequin::FigureSkin> skin) {
         asking_ = false;
         SceneModel& scene = host_.viewport().scene();
         const workcell::Entity* wearer = scene.find(id);
-        if (!wearer || wearer->figure != figure) return;
+        if (!wearer || wearer->figure() != figure) return;
         scene.setSkin(*wearer, std::move(skin));
         host_.viewport().refresh();
       });

@@ -155,8 +155,8 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
   showActions();
   runInThreadPool(
       this,
-      [figure = entity->figure, from, targets = *targets,
-       task = taskOf(*entity->figure, from, context_.host().holdChoice().hands())] {
+      [figure = entity->figure(), from, targets = *targets,
+       task = taskOf(*entity->figure(), from, context_.host().holdChoice().hands())] {
         return mannequin::handsTo(*figure, from, task, targets);
       },
       [this, hands, id = entity->id, from, part = QString::fromStdString(part->name),
@@ -164,7 +164,7 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
         busy_ = false;
         const workcell::Entity* now = context_.host().documentModel().document().find(id);
         // Another cell, or it was moved meanwhile: what was found is not for that.
-        const bool same = number == context_.host().documentModel().number() && now && now->figure &&
+        const bool same = number == context_.host().documentModel().number() && now && now->figure() &&
                           postureOf(*now).angles == from.angles && postureOf(*now).X_WR.p == from.X_WR.p;
         if (same && context_.isFree()) {
           const QString name = QString::fromStdString(now->name);
@@ -192,7 +192,7 @@ void HandsToPart::sit(const PickedFeature& place) {
       heading = std::atan2(looks.y, looks.x);
     }
   }
-  const mannequin::Sitting sitting = mannequin::sitOn(*entity->figure, *entity->robot, p_WSeat, heading);
+  const mannequin::Sitting sitting = mannequin::sitOn(*entity->figure(), *entity->robot(), p_WSeat, heading);
   const QString name = QString::fromStdString(entity->name), seat = QString::fromStdString(part->name);
   if (!context_.host().documentModel().executeAll(tr("%1 sits on %2").arg(name, seat),
                                                   {postureCommand(*entity, sitting.posture)}))

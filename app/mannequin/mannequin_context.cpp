@@ -11,7 +11,7 @@ namespace hapticell::app {
 namespace {
 
 bool isMannequin(const workcell::Entity* entity) {
-  return entity && entity->figure && entity->robot;
+  return entity && entity->figure() && entity->robot();
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void MannequinContext::follow() {
   const workcell::Document& document = host_.documentModel().document();
   const workcell::Entity* selected = document.find(host_.selection().current());
   if (isMannequin(selected)) id_ = selected->id;
-  if (selected && !isMannequin(selected) && (selected->mesh || selected->robot)) target_ = selected->id;
+  if (selected && !isMannequin(selected) && (selected->mesh() || selected->robot())) target_ = selected->id;
   if (!isMannequin(document.find(id_))) {
     id_ = 0;
     for (const auto& other : document.state().entities) {
@@ -37,8 +37,8 @@ void MannequinContext::follow() {
     }
   }
   const workcell::Entity* now = entity();
-  const bool same = now && seen_ && now->id == seen_->id && now->figure == seen_->figure && now->name == seen_->name &&
-                    now->locked == seen_->locked;
+  const bool same = now && seen_ && now->id == seen_->id && now->figure() == seen_->figure() &&
+                    now->name == seen_->name && now->locked == seen_->locked;
   if (same || (!now && !seen_)) return;
   seen_ = now ? std::make_shared<const workcell::Entity>(*now) : nullptr;
   emit mannequinChanged();
@@ -56,7 +56,7 @@ mannequin::Posture MannequinContext::posture() const {
   const workcell::Entity* now = entity();
   if (!now) return {};
   const SceneModel& scene = host_.viewport().scene();
-  return mannequin::toPosture(*now->figure, {scene.placement_W(*now), scene.joints(*now)});
+  return mannequin::toPosture(*now->figure(), {scene.placement_W(*now), scene.joints(*now)});
 }
 
 bool MannequinContext::isHeld() const {

@@ -14,11 +14,11 @@ namespace hapticell::app {
 using mannequin::Posture;
 
 Posture postureOf(const workcell::Entity& entity) {
-  return mannequin::toPosture(*entity.figure, {entity.X_WE, entity.joints});
+  return mannequin::toPosture(*entity.figure(), {entity.X_WE, entity.joints()});
 }
 
 workcell::Command postureCommand(const workcell::Entity& entity, const Posture& posture) {
-  mannequin::ModelConfiguration stands = mannequin::toModel(*entity.figure, posture);
+  mannequin::ModelConfiguration stands = mannequin::toModel(*entity.figure(), posture);
   return workcell::SetConfiguration{entity.id, stands.X_WE, std::move(stands.joints)};
 }
 
@@ -33,14 +33,14 @@ Posture placedHere(const workcell::Entity& entity, Posture posture) {
   posture.X_WR.p.x = now.X_WR.p.x;
   posture.X_WR.p.y = now.X_WR.p.y;
   // A figure on a platform stays on it.
-  const double floor = now.X_WR.p.z - mannequin::onFloor(*entity.figure, now).X_WR.p.z;
-  posture = mannequin::onFloor(*entity.figure, posture);
+  const double floor = now.X_WR.p.z - mannequin::onFloor(*entity.figure(), now).X_WR.p.z;
+  posture = mannequin::onFloor(*entity.figure(), posture);
   posture.X_WR.p.z += floor;
   return posture;
 }
 
 std::optional<Posture> libraryPostureAt(const workcell::Entity& entity, std::string_view name) {
-  auto posture = mannequin::libraryPosture(*entity.figure, name);
+  auto posture = mannequin::libraryPosture(*entity.figure(), name);
   if (!posture) return std::nullopt;
   return placedHere(entity, *posture);
 }
@@ -48,9 +48,9 @@ std::optional<Posture> libraryPostureAt(const workcell::Entity& entity, std::str
 mannequin::BodyRequest requestOf(const workcell::Entity& entity) {
   if (auto request = mannequin::parseBodyRequest(entity.source.path)) return *request;
   mannequin::BodyRequest request;
-  request.sex = entity.figure->sex;
-  request.stature = entity.figure->body[mannequin::Dimension::kStature];
-  request.mass = entity.figure->totalMass();
+  request.sex = entity.figure()->sex;
+  request.stature = entity.figure()->body[mannequin::Dimension::kStature];
+  request.mass = entity.figure()->totalMass();
   return request;
 }
 
@@ -60,7 +60,7 @@ Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& 
   auto fresh = workcell::EntityLoader({}).load(mannequin::bodyRequestText(request), 0.0, diagnostics);
   HAPTICELL_TRY(fresh);
   const Posture before = postureOf(entity);
-  const double floor = before.X_WR.p.z - mannequin::onFloor(*entity.figure, before).X_WR.p.z;
+  const double floor = before.X_WR.p.z - mannequin::onFloor(*entity.figure(), before).X_WR.p.z;
   Posture after = before;
   // The feet stay where they are, seen from above.
   const auto feet = [](const mannequin::Figure& figure, const Posture& posture) {
@@ -68,11 +68,11 @@ Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& 
     return 0.5 *
            (mannequin::footPose(pose, mannequin::Side::kLeft).p + mannequin::footPose(pose, mannequin::Side::kRight).p);
   };
-  const dvec3 shift = feet(*entity.figure, before) - feet(*fresh->figure, after);
+  const dvec3 shift = feet(*entity.figure(), before) - feet(*fresh->figure(), after);
   after.X_WR.p += dvec3(shift.x, shift.y, 0.0);
-  after = mannequin::onFloor(*fresh->figure, after);
+  after = mannequin::onFloor(*fresh->figure(), after);
   after.X_WR.p.z += floor;
-  mannequin::ModelConfiguration stands = mannequin::toModel(*fresh->figure, after);
+  mannequin::ModelConfiguration stands = mannequin::toModel(*fresh->figure(), after);
   std::vector<workcell::Command> commands;
   commands.emplace_back(workcell::ReplaceShape{entity.id, std::move(*fresh)});
   commands.emplace_back(workcell::SetConfiguration{entity.id, stands.X_WE, std::move(stands.joints)});

@@ -289,8 +289,8 @@ void MannequinPanel::showMannequin() {
   content_->setVisible(entity != nullptr);
   if (!entity) return;
   name_->setText(QString::fromStdString(entity->name));
-  body_->setText(bodyText(*entity->figure));
-  sketch_->setFigure(entity->figure);
+  body_->setText(bodyText(*entity->figure()));
+  sketch_->setFigure(entity->figure());
   showNow();
 }
 

@@ -114,9 +114,9 @@ bool MannequinPanel::savePostureFile(const QString& path) {
   if (!entity) return false;
   const mannequin::Posture posture = context_.posture();
   std::string text = mannequin::postureText(posture);
-  if (path.endsWith(".x3d", Qt::CaseInsensitive)) text = mannequin::hanimText(*entity->figure, posture, entity->name);
+  if (path.endsWith(".x3d", Qt::CaseInsensitive)) text = mannequin::hanimText(*entity->figure(), posture, entity->name);
   if (path.endsWith(".bvh", Qt::CaseInsensitive))
-    text = mannequin::bvhText(*entity->figure, std::vector{posture}, 1.0 / 120.0);
+    text = mannequin::bvhText(*entity->figure(), std::vector{posture}, 1.0 / 120.0);
   const auto written = writeFileAtomically(path.toStdString(), text);
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The posture is saved"), path);

@@ -127,8 +127,8 @@ void CartesianJog::jog(int axis, double amount) {
     step.along[axis] = amount * 0.001;
   else
     step.turn[kTurnAxis[axis - 3]] = amount * kDegree;
-  const kinematics::JogRobot jogged{*robot->robot, *inverse, robot->robot->findLink(robot->tip_link), robot->X_LT,
-                                    robot->X_WE};
+  const kinematics::JogRobot jogged{*robot->robot(), *inverse, robot->robot()->findLink(robot->jointed().tip_link),
+                                    robot->jointed().X_LT, robot->X_WE};
   const kinematics::JogResult result = kinematics::jogTool(jogged, mover_.target(), step);
   mover_.moveTo(result.q);
   emit held(shownText(result.reason));
@@ -146,7 +146,7 @@ void CartesianJog::typed(int axis, double value) {
   std::array<double, 6> numbers = numbersNow();
   numbers[static_cast<std::size_t>(axis)] = value;
   const Pose X_FT = poseFromNumbers(numbers);
-  const auto solution = inverse->solve(context_.base_W().inverse() * frame_W() * X_FT, robot->joints);
+  const auto solution = inverse->solve(context_.base_W().inverse() * frame_W() * X_FT, robot->joints());
   if (solution.status == kinematics::InverseStatus::kSolved) {
     mover_.step(tr("Move the TCP of %1").arg(QString::fromStdString(robot->name)), solution.q);
     emit held({});

@@ -148,7 +148,7 @@ ConfigurationView::ConfigurationView(RobotContext& context, MotionWorker& worker
   ask_.setSingleShot(true);
   connect(&ask_, &QTimer::timeout, this, &ConfigurationView::askAgain);
   const auto later = [this] {
-    if (context_.robot() && context_.robot()->joints != asked_) showStale();
+    if (context_.robot() && context_.robot()->joints() != asked_) showStale();
     ask_.start(kAskMilliseconds);
   };
   connect(&context_, &RobotContext::robotChanged, this, later);
@@ -179,7 +179,7 @@ void ConfigurationView::askAgain() {
   const workcell::Entity* robot = context_.robot();
   if (!robot || !isVisible() || !context_.inverse()) return show({});
   if (mover_.isOpen() || mover_.isBusy() || context_.isHeld()) return ask_.start(kAskMilliseconds);
-  worker_.listSolutions(*robot, robot->joints,
+  worker_.listSolutions(*robot, robot->joints(),
                         [this](std::vector<kinematics::ListedSolution> list) { show(std::move(list)); });
 }
 
@@ -198,13 +198,13 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   if (solutions.size() > kMost) solutions.resize(kMost);
   const std::vector<double> chosen = keep_;
   hovered_ = -1;
-  asked_ = robot ? robot->joints : std::vector<double>{};
+  asked_ = robot ? robot->joints() : std::vector<double>{};
   table_->setEnabled(true);
   static const char* const kMakers[]{"", "KUKA", "ABB", "FANUC"};
   const QString maker =
-      robot ? QLatin1String(kMakers[static_cast<int>(kinematics::makerOf(*robot->robot))]) : QString();
-  model_.setSolutions(robot ? robot->robot.get() : nullptr, std::move(solutions),
-                      robot ? robot->joints : std::vector<double>{}, maker);
+      robot ? QLatin1String(kMakers[static_cast<int>(kinematics::makerOf(*robot->robot()))]) : QString();
+  model_.setSolutions(robot ? robot->robot().get() : nullptr, std::move(solutions),
+                      robot ? robot->joints() : std::vector<double>{}, maker);
   table_->setColumnHidden(ConfigurationModel::kFlags, !model_.hasFlags());
   const int rows = model_.rowCount();
   count_->setText(solutionsText(rows, model_.reachable(), all <= kMost));

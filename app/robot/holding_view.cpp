@@ -34,8 +34,8 @@ QStringList axesBelow(const workcell::DocumentState& state, const workcell::Enti
   for (std::size_t k = 0; k < state.entities.size() && !at->attachment.to.empty(); ++k) {
     const workcell::Entity* carrier = state.findByName(at->attachment.to);
     if (!carrier) break;
-    const int link = carrier->robot ? carrier->robot->findLink(at->attachment.link) : -1;
-    if (link >= 0 && !carrier->locked && !carrier->robot->closure && kinematics::isMoved(*carrier->robot, link))
+    const int link = carrier->robot() ? carrier->robot()->findLink(at->attachment.link) : -1;
+    if (link >= 0 && !carrier->locked && !carrier->robot()->closure && kinematics::isMoved(*carrier->robot(), link))
       names.prepend(QString::fromStdString(carrier->name));
     at = carrier;
   }
@@ -91,7 +91,7 @@ HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(paren
   connect(tool_, &QComboBox::activated, this, [this](int i) {
     const workcell::Entity* robot = context_.robot();
     const QString name = tool_->itemData(i).toString();
-    if (robot && !name.isEmpty() && name.toStdString() != robot->tool)
+    if (robot && !name.isEmpty() && name.toStdString() != robot->jointed().tool)
       context_.host().documentModel().execute(workcell::ChooseTool{robot->id, name.toStdString()});
     showNow();
   });
@@ -129,18 +129,18 @@ void HoldingView::setFree(bool free) {
 void HoldingView::showTools() {
   const workcell::Entity* robot = context_.robot();
   tool_->clear();
-  for (const auto& tool : robot->tools) {
+  for (const auto& tool : robot->jointed().tools) {
     const QString name = QString::fromStdString(tool.name);
     const double reach = glm::length(tool.X_LT.p);
     tool_->addItem(icon("frame"), reach > 5e-4 ? tr("%1, %2").arg(name, lengthText(reach, 0)) : name, name);
   }
-  if (robot->tool.empty()) {
-    const QString link = QString::fromStdString(robot->tip_link);
-    const double reach = glm::length(robot->X_LT.p);
+  if (robot->jointed().tool.empty()) {
+    const QString link = QString::fromStdString(robot->jointed().tip_link);
+    const double reach = glm::length(robot->jointed().X_LT.p);
     tool_->insertItem(0, icon("frame"), reach > 5e-4 ? tr("%1, %2").arg(link, lengthText(reach, 0)) : link, QString());
     tool_->setCurrentIndex(0);
   } else {
-    tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->tool)));
+    tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->jointed().tool)));
   }
   tool_->setEnabled(context_.isFree());
 }

@@ -27,13 +27,13 @@ void JointJog::rebuild() {
   }
   rows_.clear();
   const workcell::Entity* robot = context_.robot();
-  for (std::size_t i = 0; robot && i < robot->robot->dof(); ++i) addRow(i);
+  for (std::size_t i = 0; robot && i < robot->robot()->dof(); ++i) addRow(i);
   showNow();
 }
 
 void JointJog::addRow(std::size_t variable) {
   const workcell::Entity* robot = context_.robot();
-  const auto& joint = robot->robot->joints[static_cast<std::size_t>(robot->robot->moving[variable])];
+  const auto& joint = robot->robot()->joints[static_cast<std::size_t>(robot->robot()->moving[variable])];
   JointRow::Scale scale = scaleOf(joint, variable);
   scale.ends = true;
   Row row;
@@ -87,19 +87,19 @@ QString JointJog::stepText(std::size_t variable) const {
 
 void JointJog::moveTo(std::size_t variable, double shown) {
   const workcell::Entity* robot = context_.robot();
-  if (!robot || variable >= robot->joints.size()) return;
+  if (!robot || variable >= robot->joints().size()) return;
   const double target = shown * rows_[variable].unit;
-  mover_.moveTo(
-      kinematics::jogJoint(*robot->robot, robot->joints, static_cast<int>(variable), target - robot->joints[variable])
-          .q);
+  mover_.moveTo(kinematics::jogJoint(*robot->robot(), robot->joints(), static_cast<int>(variable),
+                                     target - robot->joints()[variable])
+                    .q);
 }
 
 void JointJog::stepBy(std::size_t variable, int direction) {
   const workcell::Entity* robot = context_.robot();
-  if (!robot || variable >= robot->joints.size()) return;
+  if (!robot || variable >= robot->joints().size()) return;
   const Row& row = rows_[variable];
   const double step = (row.slides ? step_.millimetres : step_.degrees) * row.unit * direction;
-  mover_.moveTo(kinematics::jogJoint(*robot->robot, mover_.target(), static_cast<int>(variable), step).q);
+  mover_.moveTo(kinematics::jogJoint(*robot->robot(), mover_.target(), static_cast<int>(variable), step).q);
 }
 
 void JointJog::showNow() {

@@ -54,7 +54,7 @@ void JointMover::moveTo(const std::vector<double>& joints) {
 
 std::vector<double> JointMover::target() const {
   if (checking_ && open_) return target_;
-  return context_.robot() ? context_.robot()->joints : std::vector<double>{};
+  return context_.robot() ? context_.robot()->joints() : std::vector<double>{};
 }
 
 void JointMover::end(bool keep) {
@@ -98,7 +98,7 @@ void JointMover::accept(const Expected<manipulation::JointMotion>& motion) {
     return;
   }
   const workcell::Entity* robot = context_.host().documentModel().document().find(robot_);
-  if (robot && robot->joints != motion->joints && !(ending_ && !keep_))
+  if (robot && robot->joints() != motion->joints && !(ending_ && !keep_))
     context_.host().documentModel().execute(motion->command);
   emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
 }
@@ -121,7 +121,7 @@ void JointMover::travel(const QString& text, const std::vector<double>& joints) 
 void JointMover::play(const manipulation::JointMotion& motion) {
   const workcell::Entity* robot = context_.host().documentModel().document().find(robot_);
   if (!robot) return;
-  travel_.from = robot->joints;
+  travel_.from = robot->joints();
   travel_.motion = motion;
   travel_.seconds = std::clamp(motion.time_s, kShortest, kLongest);
   clock_.start();

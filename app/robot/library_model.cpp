@@ -45,7 +45,7 @@ std::vector<std::pair<QString, QString>> LibraryModel::sheet(int number) const {
   std::vector<std::pair<QString, QString>> lines{{tr("Manufacturer"), QString::fromStdString(sheet.maker)},
                                                  {tr("Type"), QString::fromStdString(sheet.kind)}};
   if (sheet.payload > 0.0) lines.emplace_back(tr("Payload"), payloadText(sheet.payload));
-  if (row.entity) lines.emplace_back(tr("Joints"), QString::number(row.entity->robot->dof()));
+  if (row.entity) lines.emplace_back(tr("Joints"), QString::number(row.entity->robot()->dof()));
   if (row.reach > 0.0) lines.emplace_back(tr("Reach"), tr("%1 to the flange").arg(lengthText(row.reach, 0)));
   if (!sheet.source.empty()) lines.emplace_back(tr("Source"), QString::fromStdString(sheet.source));
   return lines;

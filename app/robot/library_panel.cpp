@@ -238,8 +238,8 @@ void LibraryPanel::load(int row) {
     workcell::EntityLoader loader({});
     auto entity = loader.load(what, 0.0, diagnostics);
     if (!entity) return;
-    entity->joints = kinematics::restPositions(*entity->robot);
-    const double reach = flangeReach(*entity->robot);
+    entity->setJoints(kinematics::restPositions(*entity->robot()));
+    const double reach = flangeReach(*entity->robot());
     QMetaObject::invokeMethod(
         this, [this, row, entity = std::move(*entity), reach] { model_->setEntity(row, entity, reach); },
         Qt::QueuedConnection);
@@ -279,7 +279,7 @@ std::optional<workcell::Entity> LibraryPanel::chosenRobot() {
     host_.messages().reportCause(Severity::kProblem, tr("The robot was not added"), loaded.error());
     return std::nullopt;
   }
-  loaded->joints = kinematics::restPositions(*loaded->robot);
+  loaded->setJoints(kinematics::restPositions(*loaded->robot()));
   return std::move(*loaded);
 }
 

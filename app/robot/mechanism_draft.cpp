@@ -26,7 +26,7 @@ dvec3 squareTo(const dvec3& axis) {
 
 MechanismDraft draftOf(const workcell::Entity& mechanism) {
   MechanismDraft draft{mechanism.id, mechanism.name, {}};
-  if (mechanism.mechanism) draft.joints = mechanism.mechanism->joints;
+  if (mechanism.mechanism()) draft.joints = mechanism.mechanism()->joints;
   for (MechanismJoint& joint : draft.joints) {
     joint.p_MJ = mechanism.X_WE * joint.p_MJ;
     joint.axis_M = mechanism.X_WE.rotate(joint.axis_M);
@@ -67,7 +67,7 @@ Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcel
   workcell::MakeMechanism make{draft.name, {}, draft.joints};
   for (const std::string& name : partsOf(draft)) {
     const workcell::Entity* part = state.findByName(name);
-    if (!part || !part->mesh)
+    if (!part || !part->mesh())
       return makeError({.found = Text("'%1' is not a solid of the cell", name), .fix = "Pick another part."});
     if (part->locked)
       return makeError(

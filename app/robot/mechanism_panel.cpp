@@ -102,7 +102,7 @@ void MechanismPanel::show() {
   const int row = joints_->currentRow();
   const workcell::DocumentState& state = context_.host().documentModel().document().state();
   const workcell::Entity* edited = draft_.edited ? state.find(draft_.edited) : nullptr;
-  if (draft_.edited && (!edited || !edited->mechanism)) draft_ = {0, "Mechanism", {}}, edited = nullptr;
+  if (draft_.edited && (!edited || !edited->mechanism())) draft_ = {0, "Mechanism", {}}, edited = nullptr;
   name_->setText(QString::fromStdString(draft_.name));
   name_->setEnabled(!edited);
   joints_->clear();
@@ -118,10 +118,10 @@ void MechanismPanel::show() {
       box->addItem(icon("cube"), QString::fromStdString(name), QString::fromStdString(name));
     };
     if (edited)
-      for (const auto& part : edited->mechanism->parts) add(part.name);
+      for (const auto& part : edited->mechanism()->parts) add(part.name);
     else
       for (const auto& entity : state.entities)
-        if (entity->mesh && entity->kind == workcell::EntityKind::kSolid) add(entity->name);
+        if (entity->mesh() && entity->kind() == workcell::EntityKind::kSolid) add(entity->name);
   }
   joints_->setCurrentRow(std::min(std::max(row, 0), joints_->count() - 1));
   showing_ = false;
@@ -196,7 +196,7 @@ void MechanismPanel::pickPart(QComboBox* box, const QString& prompt) {
     if (!picked || !current()) return;
     std::string name = picked->name;
     if (picked->id == draft_.edited && feature->link >= 0)
-      name = picked->robot->links[static_cast<std::size_t>(feature->link)].name;
+      name = picked->robot()->links[static_cast<std::size_t>(feature->link)].name;
     if (box->findData(QString::fromStdString(name)) < 0)
       return context_.host().messages().tell(Severity::kWarning,
                                              tr("%1 cannot be part of a mechanism").arg(QString::fromStdString(name)),

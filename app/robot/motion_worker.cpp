@@ -77,12 +77,12 @@ void MotionWorker::listSolutions(const workcell::Entity& robot, std::vector<doub
   run([this, robot, joints = std::move(joints), number, current = lists_, answer = std::move(answer)] {
     if (*current != number) return;
     std::vector<kinematics::ListedSolution> list;
-    const int tip = robot.robot->findLink(robot.tip_link);
-    if (auto inverse = kinematics::createInverse(*robot.robot, tip, robot.X_LT)) {
+    const int tip = robot.robot()->findLink(robot.jointed().tip_link);
+    if (auto inverse = kinematics::createInverse(*robot.robot(), tip, robot.jointed().X_LT)) {
       std::vector<Pose> X_BL;
-      kinematics::forwardKinematics(*robot.robot, joints, X_BL);
-      list =
-          kinematics::listSolutions(*robot.robot, **inverse, X_BL[static_cast<std::size_t>(tip)] * robot.X_LT, joints);
+      kinematics::forwardKinematics(*robot.robot(), joints, X_BL);
+      list = kinematics::listSolutions(*robot.robot(), **inverse,
+                                       X_BL[static_cast<std::size_t>(tip)] * robot.jointed().X_LT, joints);
     }
     QMetaObject::invokeMethod(
         this,

@@ -15,8 +15,7 @@ namespace hapticell::app {
 namespace {
 
 bool isJointed(const workcell::Entity* entity) {
-  return entity && entity->robot &&
-         (entity->kind == workcell::EntityKind::kRobot || entity->kind == workcell::EntityKind::kMechanism);
+  return entity && workcell::isMachine(*entity);
 }
 
 bool samePose(const Pose& a, const Pose& b) {
@@ -24,10 +23,12 @@ bool samePose(const Pose& a, const Pose& b) {
 }
 
 bool sameTools(const workcell::Entity& a, const workcell::Entity& b) {
-  return a.tool == b.tool && a.tip_link == b.tip_link && samePose(a.X_LT, b.X_LT) &&
-         std::equal(a.tools.begin(), a.tools.end(), b.tools.begin(), b.tools.end(), [](const auto& x, const auto& y) {
-           return x.name == y.name && x.tip_link == y.tip_link && samePose(x.X_LT, y.X_LT);
-         });
+  return a.jointed().tool == b.jointed().tool && a.jointed().tip_link == b.jointed().tip_link &&
+         samePose(a.jointed().X_LT, b.jointed().X_LT) &&
+         std::equal(a.jointed().tools.begin(), a.jointed().tools.end(), b.jointed().tools.begin(),
+                    b.jointed().tools.end(), [](const auto& x, const auto& y) {
+                      return x.name == y.name && x.tip_link == y.tip_link && samePose(x.X_LT, y.X_LT);
+                    });
 }
 
 }  // namespace
@@ -50,8 +51,8 @@ void RobotContext::follow() {
 
 void RobotContext::lookAgain() {
   const workcell::Entity* now = robot();
-  const bool same = now && seen_ && now->id == seen_->id && now->robot == seen_->robot && now->name == seen_->name &&
-                    now->locked == seen_->locked && sameTools(*now, *seen_);
+  const bool same = now && seen_ && now->id == seen_->id && now->robot() == seen_->robot() &&
+                    now->name == seen_->name && now->locked == seen_->locked && sameTools(*now, *seen_);
   if (same || (!now && !seen_)) return;
   seen_ = now ? std::make_shared<const workcell::Entity>(*now) : nullptr;
   inverse_.reset();
@@ -64,7 +65,7 @@ const workcell::Entity* RobotContext::robot() const {
 }
 
 bool RobotContext::isMechanism() const {
-  return robot() && robot()->kind == workcell::EntityKind::kMechanism;
+  return robot() && robot()->kind() == workcell::EntityKind::kMechanism;
 }
 
 std::vector<double> RobotContext::joints() const {
@@ -92,7 +93,8 @@ const kinematics::InverseModel* RobotContext::inverse() const {
   if (!now || isMechanism()) return nullptr;
   if (!inverse_made_) {
     inverse_made_ = true;
-    auto made = kinematics::createInverse(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
+    auto made =
+        kinematics::createInverse(*now->robot(), now->robot()->findLink(now->jointed().tip_link), now->jointed().X_LT);
     if (made) inverse_ = std::move(*made);
   }
   return inverse_.get();
@@ -100,8 +102,8 @@ const kinematics::InverseModel* RobotContext::inverse() const {
 
 QString RobotContext::jointName(std::size_t variable) const {
   const workcell::Entity* now = robot();
-  if (!now || variable >= now->robot->dof()) return {};
-  return scaleOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[variable])], variable).name;
+  if (!now || variable >= now->robot()->dof()) return {};
+  return scaleOf(now->robot()->joints[static_cast<std::size_t>(now->robot()->moving[variable])], variable).name;
 }
 
 }  // namespace hapticell::app

@@ -240,8 +240,8 @@ void RobotPanel::showRobot() {
   if (!robot) return;
   const bool mechanism = context_.isMechanism();
   name_->setText(QString::fromStdString(robot->name));
-  const int joints = static_cast<int>(robot->robot->dof());
-  QString kind = tr("%1 · %2").arg(QString::fromStdString(robot->robot->name), tr("%n joints", nullptr, joints));
+  const int joints = static_cast<int>(robot->robot()->dof());
+  QString kind = tr("%1 · %2").arg(QString::fromStdString(robot->robot()->name), tr("%n joints", nullptr, joints));
   if (joints == 1) kind.replace(tr("1 joints"), tr("1 joint"));
   if (const auto* inverse = context_.inverse())
     kind += QStringLiteral(" · ") + tr("inverse: %1").arg(QString::fromStdString(inverse->name()));
@@ -294,12 +294,12 @@ void RobotPanel::fillPoses() {
   menu->addSeparator();
   menu->addAction(tr("Save this pose…"), this, &RobotPanel::keepPose);
   QMenu* drop = menu->addMenu(tr("Delete"));
-  drop->setEnabled(!robot->named_poses.empty());
-  for (const auto& pose : robot->named_poses) {
+  drop->setEnabled(!robot->jointed().named_poses.empty());
+  for (const auto& pose : robot->jointed().named_poses) {
     const std::string name = pose.name;
     drop->addAction(QString::fromStdString(name), this, [this, name] {
       if (!context_.robot()) return;
-      workcell::SetNamedPoses poses{context_.robot()->id, context_.robot()->named_poses};
+      workcell::SetNamedPoses poses{context_.robot()->id, context_.robot()->jointed().named_poses};
       std::erase_if(poses.poses, [&](const auto& known) { return known.name == name; });
       context_.host().documentModel().execute(poses);
     });
@@ -318,10 +318,10 @@ void RobotPanel::keepPose() {
   connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& name) {
     const workcell::Entity* robot = context_.robot();
     if (!robot || name.trimmed().isEmpty()) return;
-    workcell::SetNamedPoses poses{robot->id, robot->named_poses};
+    workcell::SetNamedPoses poses{robot->id, robot->jointed().named_poses};
     const std::string wanted = name.trimmed().toStdString();
     std::erase_if(poses.poses, [&](const auto& known) { return known.name == wanted; });
-    poses.poses.push_back({wanted, robot->joints});
+    poses.poses.push_back({wanted, robot->joints()});
     context_.host().documentModel().execute(poses);
   });
   ask->show();

@@ -45,7 +45,7 @@ void RobotStop::show() {
   if (!context_.isHeld() && !stopped_.isEmpty())
     return line_->show(obstacle_.isEmpty() ? Mark::kLimit : Mark::kContact, stopped_);
   if (!context_.isHeld() && !held_back_.isEmpty()) return line_->show(Mark::kLimit, held_back_ + QLatin1Char('.'));
-  const Text near = kinematics::nearestLimitText(*robot->robot, context_.joints(), kSoonLimit);
+  const Text near = kinematics::nearestLimitText(*robot->robot(), context_.joints(), kSoonLimit);
   line_->show(near.empty() ? Mark::kNone : Mark::kLimit, near.empty() ? QString() : shownText(near) + QLatin1Char('.'));
 }
 

@@ -26,7 +26,7 @@ RobotThumbnail::RobotThumbnail(RobotContext& context, QWidget* parent) : QWidget
   later_.setInterval(kLaterMilliseconds);
   connect(&later_, &QTimer::timeout, this, &RobotThumbnail::draw);
   connect(&context_, &RobotContext::documentChanged, this, [this] {
-    if (context_.robot() && context_.robot()->joints != joints_) later_.start();
+    if (context_.robot() && context_.robot()->joints() != joints_) later_.start();
   });
 }
 
@@ -54,7 +54,7 @@ void RobotThumbnail::draw() {
   workcell::Entity alone = *robot;
   alone.visible = true;
   const double scale = devicePixelRatioF();
-  joints_ = robot->joints;
+  joints_ = robot->joints();
   picture_ = painter_.draw({std::move(alone)}, (QSizeF(size()) * scale).toSize(), themeOf(palette()), kNearer);
   picture_.setDevicePixelRatio(scale);
   update();

@@ -75,7 +75,7 @@ bool TcpGizmo::press(const PointerEvent& event) {
   const auto handle = gizmo.hit(event.pixel, event.camera, event.size);
   const auto from = handle ? gizmo.valueOf(*handle, event.camera.rayThrough(event.pixel, event.size)) : std::nullopt;
   if (!from) return false;
-  drag_ = Drag{gizmo, *handle, *from, context_.tool_W(), context_.robot()->joints};
+  drag_ = Drag{gizmo, *handle, *from, context_.tool_W(), context_.robot()->joints()};
   why_.clear();
   mover_.begin(tr("Drag the TCP of %1").arg(QString::fromStdString(context_.robot()->name)));
   showNow();
@@ -107,7 +107,7 @@ void TcpGizmo::follow(const Pose& X_WT) {
   double before = std::numeric_limits<double>::infinity();
   for (int shot = 0; shot < kMostShots; ++shot) {
     inverse->solveNearest(X_BT, drag_->joints, kinematics::kUnboundedDuration, solution);
-    if (solution.q.size() != robot->joints.size()) return;
+    if (solution.q.size() != robot->joints().size()) return;
     drag_->joints = solution.q;
     const double left = solution.position_error + kLever * solution.orientation_error;
     if (solution.status == kinematics::InverseStatus::kSolved || left > 0.999 * before) break;
@@ -115,7 +115,7 @@ void TcpGizmo::follow(const Pose& X_WT) {
   }
   why_.clear();
   if (solution.status != kinematics::InverseStatus::kSolved) {
-    const Text limit = kinematics::nearestLimitText(*robot->robot, solution.q, kTcpNearLimit);
+    const Text limit = kinematics::nearestLimitText(*robot->robot(), solution.q, kTcpNearLimit);
     why_ = limit.empty() ? tr("The arm is at the edge of its reach") : shownText(limit);
   }
   emit held(why_);

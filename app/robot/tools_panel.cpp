@@ -150,7 +150,7 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
 int ToolsPanel::chosen() const {
   const workcell::Entity* robot = context_.robot();
   const int row = tools_->currentRow();
-  return robot && row >= 0 && row < static_cast<int>(robot->tools.size()) ? row : -1;
+  return robot && row >= 0 && row < static_cast<int>(robot->jointed().tools.size()) ? row : -1;
 }
 
 void ToolsPanel::show() {
@@ -162,9 +162,10 @@ void ToolsPanel::show() {
   link_->clear();
   setEnabled(robot && !context_.isMechanism());
   if (robot) {
-    for (const auto& tool : robot->tools)
-      tools_->addItem(QString::fromStdString(tool.name) + (tool.name == robot->tool ? tr("  (in use)") : QString()));
-    for (const auto& link : robot->robot->links) link_->addItem(QString::fromStdString(link.name));
+    for (const auto& tool : robot->jointed().tools)
+      tools_->addItem(QString::fromStdString(tool.name) +
+                      (tool.name == robot->jointed().tool ? tr("  (in use)") : QString()));
+    for (const auto& link : robot->robot()->links) link_->addItem(QString::fromStdString(link.name));
     tools_->setCurrentRow(std::min(std::max(row, 0), tools_->count() - 1));
   }
   showing_ = false;
@@ -181,8 +182,8 @@ void ToolsPanel::showTool() {
   for (ValueField* field : pose_) field->setEnabled(row >= 0);
   drawFrame();
   if (row < 0) return name_->clear();
-  const workcell::ToolFrame& tool = context_.robot()->tools[static_cast<std::size_t>(row)];
-  use_->setEnabled(tool.name != context_.robot()->tool);
+  const workcell::ToolFrame& tool = context_.robot()->jointed().tools[static_cast<std::size_t>(row)];
+  use_->setEnabled(tool.name != context_.robot()->jointed().tool);
   if (!name_->hasFocus()) name_->setText(QString::fromStdString(tool.name));
   link_->setCurrentText(QString::fromStdString(tool.tip_link));
   const auto numbers = poseNumbers(tool.X_LT);
@@ -207,12 +208,13 @@ void ToolsPanel::showCarried() {
                               tr("%1 on %2").arg(name, QString::fromStdString(entity->attachment.link)), carried_);
       item->setData(Qt::UserRole, static_cast<qulonglong>(entity->id));
     } else if (entity->attachment.to.empty() && entity->id != robot->id && !entity->locked &&
-               (entity->mesh || entity->robot || entity->kind == workcell::EntityKind::kFrame)) {
+               (entity->mesh() || entity->robot() || entity->kind() == workcell::EntityKind::kFrame)) {
       part_->addItem(icon(entityIcon(*entity)), name, static_cast<qulonglong>(entity->id));
     }
   }
-  for (const auto& other : robot->robot->links) carrier_link_->addItem(QString::fromStdString(other.name));
-  carrier_link_->setCurrentText(carrier_link_->findText(link) >= 0 ? link : QString::fromStdString(robot->tip_link));
+  for (const auto& other : robot->robot()->links) carrier_link_->addItem(QString::fromStdString(other.name));
+  carrier_link_->setCurrentText(carrier_link_->findText(link) >= 0 ? link
+                                                                   : QString::fromStdString(robot->jointed().tip_link));
   if (const int row = part_->findData(kept); kept.isValid() && row >= 0) part_->setCurrentIndex(row);
   attach_->setEnabled(part_->count() > 0);
 }
@@ -222,8 +224,8 @@ void ToolsPanel::drawFrame() {
   const workcell::Entity* robot = context_.robot();
   if (const int row = chosen(); row >= 0 && isVisible()) {
     workcell::Entity with = *robot;
-    with.tip_link = robot->tools[static_cast<std::size_t>(row)].tip_link;
-    with.X_LT = robot->tools[static_cast<std::size_t>(row)].X_LT;
+    with.editJointed().tip_link = robot->jointed().tools[static_cast<std::size_t>(row)].tip_link;
+    with.editJointed().X_LT = robot->jointed().tools[static_cast<std::size_t>(row)].X_LT;
     const Pose X_WT = tcpPose_W(with, context_.base_W(), context_.joints());
     using Role = SceneCurve::Role;
     const Role roles[3]{Role::kAxisX, Role::kAxisY, Role::kAxisZ};
@@ -250,7 +252,7 @@ void ToolsPanel::hideEvent(QHideEvent* event) {
 void ToolsPanel::change(int row, const std::function<void(std::vector<workcell::ToolFrame>&)>& edit) {
   const workcell::Entity* robot = context_.robot();
   if (!robot) return;
-  workcell::SetTools command{robot->id, robot->tools};
+  workcell::SetTools command{robot->id, robot->jointed().tools};
   edit(command.tools);
   context_.host().documentModel().execute(command);
   tools_->setCurrentRow(row);
@@ -260,18 +262,18 @@ void ToolsPanel::change(int row, const std::function<void(std::vector<workcell::
 void ToolsPanel::addTool() {
   const workcell::Entity* robot = context_.robot();
   if (!robot) return;
-  workcell::ToolFrame made{freeToolName(robot->tools), robot->tip_link, robot->X_LT};
+  workcell::ToolFrame made{freeToolName(robot->jointed().tools), robot->jointed().tip_link, robot->jointed().X_LT};
   if (const int row = chosen(); row >= 0) {
-    made.tip_link = robot->tools[static_cast<std::size_t>(row)].tip_link;
-    made.X_LT = robot->tools[static_cast<std::size_t>(row)].X_LT;
+    made.tip_link = robot->jointed().tools[static_cast<std::size_t>(row)].tip_link;
+    made.X_LT = robot->jointed().tools[static_cast<std::size_t>(row)].X_LT;
   }
-  change(static_cast<int>(robot->tools.size()), [&](auto& tools) { tools.push_back(made); });
+  change(static_cast<int>(robot->jointed().tools.size()), [&](auto& tools) { tools.push_back(made); });
 }
 
 void ToolsPanel::editTool() {
   const int row = chosen();
   if (row < 0 || showing_) return;
-  const workcell::ToolFrame& before = context_.robot()->tools[static_cast<std::size_t>(row)];
+  const workcell::ToolFrame& before = context_.robot()->jointed().tools[static_cast<std::size_t>(row)];
   workcell::ToolFrame now = before;
   now.name = name_->text().trimmed().toStdString();
   now.tip_link = link_->currentText().toStdString();
@@ -296,8 +298,8 @@ void ToolsPanel::removeTool() {
 
 void ToolsPanel::useTool() {
   if (const int row = chosen(); row >= 0)
-    context_.host().documentModel().execute(
-        workcell::ChooseTool{context_.robot()->id, context_.robot()->tools[static_cast<std::size_t>(row)].name});
+    context_.host().documentModel().execute(workcell::ChooseTool{
+        context_.robot()->id, context_.robot()->jointed().tools[static_cast<std::size_t>(row)].name});
 }
 
 void ToolsPanel::pick() {
@@ -308,9 +310,9 @@ void ToolsPanel::pick() {
          const int row = chosen();
          if (!feature || row < 0) return;
          workcell::Entity with = *context_.robot();
-         const workcell::ToolFrame& tool = with.tools[static_cast<std::size_t>(row)];
-         with.tip_link = tool.tip_link;
-         with.X_LT = Pose::identity();
+         const workcell::ToolFrame& tool = with.jointed().tools[static_cast<std::size_t>(row)];
+         with.editJointed().tip_link = tool.tip_link;
+         with.editJointed().X_LT = Pose::identity();
          const Pose X_WL = tcpPose_W(with, context_.base_W(), context_.joints());
          const Pose X_LT = X_WL.inverse() * featureFrame_W(*feature);
          change(row, [&](auto& tools) { tools[static_cast<std::size_t>(row)].X_LT = X_LT; });

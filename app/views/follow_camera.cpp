@@ -34,11 +34,11 @@ const workcell::Entity* find(Host& host, Is is) {
 }
 
 bool hasTool(const workcell::Entity& entity) {
-  return entity.kind == workcell::EntityKind::kRobot && entity.robot && !entity.tip_link.empty();
+  return entity.kind() == workcell::EntityKind::kRobot && entity.robot() && !entity.jointed().tip_link.empty();
 }
 
 bool hasEyes(const workcell::Entity& entity) {
-  return entity.figure != nullptr;
+  return entity.figure() != nullptr;
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ std::optional<Pose> FollowCamera::eyes_W() const {
   const workcell::Entity* person = find(host_, hasEyes);
   if (!person) return std::nullopt;
   const SceneModel& scene = host_.viewport().scene();
-  const auto posture = mannequin::toPosture(*person->figure, {scene.placement_W(*person), scene.joints(*person)});
-  return mannequin::eyePose(*person->figure, mannequin::forwardKinematics(*person->figure, posture), posture.gaze);
+  const auto posture = mannequin::toPosture(*person->figure(), {scene.placement_W(*person), scene.joints(*person)});
+  return mannequin::eyePose(*person->figure(), mannequin::forwardKinematics(*person->figure(), posture), posture.gaze);
 }
 
 void FollowCamera::look() {

@@ -138,8 +138,8 @@ Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
   SceneModel scene;
   scene.setEntities(document->snapshotEntities());
   for (const workcell::Entity& entity : scene.entities()) {
-    if (!entity.figure || !entity.visible) continue;
-    scene.setSkin(entity, figureSkin(*entity.figure));
+    if (!entity.figure() || !entity.visible) continue;
+    scene.setSkin(entity, figureSkin(*entity.figure()));
   }
   const auto camera = cameraFor(command, *document, scene);
   HAPTICELL_TRY(camera);

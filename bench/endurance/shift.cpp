@@ -218,7 +218,7 @@ void Day::importAndRemove(Cell& cell, ShiftReport& report) {
   const std::filesystem::path file = folder_ / "given_back.step";
   Diagnostics diagnostics;
   workcell::DocumentState some = cell.document.state();
-  std::erase_if(some.entities, [](const auto& entity) { return entity->kind != workcell::EntityKind::kSolid; });
+  std::erase_if(some.entities, [](const auto& entity) { return entity->kind() != workcell::EntityKind::kSolid; });
   if (const auto written = workcell::exportState(some, file, {}, diagnostics); !written) {
     report.broken.push_back("the cell is not exported: " + written.error().message());
     return;

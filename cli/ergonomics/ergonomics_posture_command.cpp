@@ -66,7 +66,7 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
   const workcell::Entity* found = nullptr;
   for (const auto& entity : state.entities) {
     const bool wanted = options.mannequin.empty() ? !found : entity->name == options.mannequin;
-    if (entity->figure && wanted) found = entity.get();
+    if (entity->figure() && wanted) found = entity.get();
   }
   if (!found)
     return makeError(
@@ -78,8 +78,8 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
   subject.state = std::make_shared<workcell::DocumentState>(state);
   subject.id = found->id;
   subject.warnings = notes.warnings;
-  subject.input.figure = *found->figure;
-  subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
+  subject.input.figure = *found->figure();
+  subject.input.posture = mannequin::toPosture(*found->figure(), {found->X_WE, found->joints()});
   if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
   subject.input.subtitle = options.cell + ", " + found->name;
   return subject;

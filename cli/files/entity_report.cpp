@@ -129,18 +129,17 @@ ordered_json inverseModelReport(const kinematics::RobotModel& robot, const std::
 }
 
 ordered_json robotReport(const workcell::Entity& entity) {
-  const kinematics::RobotModel& robot = *entity.robot;
-  const std::vector<double> q = entity.joints.size() == robot.dof() ? entity.joints : kinematics::restPositions(robot);
+  const kinematics::RobotModel& robot = *entity.robot();
+  const std::vector<double> q =
+      entity.joints().size() == robot.dof() ? entity.joints() : kinematics::restPositions(robot);
   std::vector<Pose> X_BL;
   kinematics::forwardKinematics(robot, q, X_BL);
   ordered_json links = ordered_json::array();
   for (std::size_t k = 0; k < robot.links.size(); ++k) {
     if (!robot.links[k].visuals.empty()) links.push_back(linkReport(robot.links[k], entity.X_WE * X_BL[k]));
   }
-  const bool mannequin = entity.kind == workcell::EntityKind::kMannequin;
-  const char* kind = entity.mechanism ? "mechanism" : "robot";
-  if (mannequin) kind = "mannequin";
-  ordered_json report = groupReport(entity.name, kind, std::move(links));
+  const bool mannequin = entity.kind() == workcell::EntityKind::kMannequin;
+  ordered_json report = groupReport(entity.name, wordOf(entity.kind()), std::move(links));
   report["dof"] = mannequin ? mannequin::kDofCount : robot.dof();  // The gaze is not counted.
   report["joints"] = jointsReport(robot);
   if (!mannequin) report["chains"] = chainsReport(robot, robot.defaultTip());
@@ -148,8 +147,9 @@ ordered_json robotReport(const workcell::Entity& entity) {
   for (const kinematics::Link& link : robot.links) {
     if (link.isUnchecked()) report["unchecked_links"].push_back(link.name);
   }
-  report["inverse_model"] = mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.tip_link);
-  report["tip_link"] = entity.tip_link;
+  report["inverse_model"] =
+      mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.jointed().tip_link);
+  report["tip_link"] = entity.jointed().tip_link;
   return report;
 }
 
@@ -193,10 +193,20 @@ ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& m
 }
 
 ordered_json entityReport(const workcell::Entity& entity) {
-  if (entity.robot) return robotReport(entity);
-  if (entity.kind == workcell::EntityKind::kFrame) return frameReport(entity);
-  if (!entity.mesh) return groupReport(entity.name, "assembly", ordered_json::array());
-  return meshReport(entity.name, *entity.mesh, entity.X_WE, entity.color);
+  switch (entity.kind()) {
+    case workcell::EntityKind::kSolid:
+      if (entity.mesh()) return meshReport(entity.name, *entity.mesh(), entity.X_WE, entity.color);
+      break;
+    case workcell::EntityKind::kRobot:
+    case workcell::EntityKind::kMechanism:
+    case workcell::EntityKind::kMannequin:
+      return robotReport(entity);
+    case workcell::EntityKind::kFrame:
+      return frameReport(entity);
+    case workcell::EntityKind::kAssembly:
+      break;
+  }
+  return groupReport(entity.name, "assembly", ordered_json::array());
 }
 
 namespace {
@@ -231,7 +241,7 @@ class TreeReporter {
 
   ordered_json reportOf(const workcell::Entity& entity) {
     ordered_json children = entity.parent == entity.name ? ordered_json::array() : below(entity.name);
-    if (entity.kind == workcell::EntityKind::kAssembly) {
+    if (entity.kind() == workcell::EntityKind::kAssembly) {
       return groupReport(entity.name, "assembly", std::move(children));
     }
     ordered_json own = entityReport(entity);

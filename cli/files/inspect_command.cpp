@@ -205,7 +205,7 @@ const char* wordOf(workcell::LoadVerdict verdict) {
 ordered_json loadsReport(const workcell::DocumentState& state) {
   ordered_json loads = ordered_json::array();
   for (const auto& entity : state.entities) {
-    if (entity->kind != workcell::EntityKind::kRobot || !entity->robot) continue;
+    if (entity->kind() != workcell::EntityKind::kRobot || !entity->robot()) continue;
     const workcell::CarriedLoad load = workcell::carriedLoad(state, *entity);
     const double payload = workcell::ratedPayload(entity->source.path).value_or(0.0);
     ordered_json parts = ordered_json::array(), other = ordered_json::array();

@@ -37,9 +37,9 @@ Expected<kinematics::RobotModel> readModel(const std::string& text, workcell::Ro
   source.arguments = arguments;
   const auto entity = loader.loadSource(source, diagnostics);
   HAPTICELL_TRY(entity);
-  if (!entity->robot)
+  if (!entity->robot())
     return makeError({.file = file, .found = "it is not a robot", .expected = "a robot file, or library:NAME"});
-  return *entity->robot;
+  return *entity->robot();
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ ordered_json contactsJson(const SessionReport& report, const SessionOptions& opt
 
 const kinematics::RobotModel* modelOf(const SessionOptions& options) {
   for (const workcell::Entity& entity : options.entities) {
-    if (entity.name == options.entity) return entity.robot.get();
+    if (entity.name == options.entity) return entity.robot().get();
   }
   return nullptr;
 }

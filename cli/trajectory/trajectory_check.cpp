@@ -132,7 +132,7 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
   HAPTICELL_TRY(kept);
   KeptFreeResult result = resultOf(std::move(*kept));
-  if (const workcell::Entity* entity = cell->document.findByName(cell->entity); entity && entity->robot) {
+  if (const workcell::Entity* entity = cell->document.findByName(cell->entity); entity && entity->robot()) {
     result.poses_by_joints = [robot = std::make_shared<const workcell::Entity>(*entity)](const auto& motion) {
       return manipulation::posesFromJoints(*robot, motion);
     };

@@ -143,7 +143,7 @@ Expected<void> findJoints(const Trajectory& given, const EditOptions& options, T
   if (entity != nullptr) {
     const auto columns = manipulation::jointColumns(*entity, given);
     HAPTICELL_TRY(columns);
-    start = entity->joints;
+    start = entity->joints();
     for (std::size_t j = 0; j < columns->size(); ++j) start[(*columns)[j]] = given.joints(0)[j];
   }
   const auto replay = manipulation::MotionReplay::create(document->state().entities, given.entity,

@@ -38,7 +38,7 @@ void nameImported(const std::string& name, std::vector<workcell::Entity>& entiti
     entities.front().name = name;
   } else {
     workcell::Entity group;
-    group.kind = workcell::EntityKind::kAssembly;
+    group.body = workcell::Assembly{};
     group.name = name;
     entities.insert(entities.begin(), std::move(group));
   }

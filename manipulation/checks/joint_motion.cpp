@@ -26,10 +26,10 @@ Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::
   if (entity == nullptr)
     return makeError(jointRefusal({}, Text("the entity does not exist"), Text("one that exists in the document")));
   const Text place("entity '%1'", entity->name);
-  if (!entity->robot) return makeError(jointRefusal(place, Text("it has no joints"), Text("a robot or a mechanism")));
-  if (joints.size() != entity->robot->dof()) {
+  if (!entity->robot()) return makeError(jointRefusal(place, Text("it has no joints"), Text("a robot or a mechanism")));
+  if (joints.size() != entity->robot()->dof()) {
     return makeError(jointRefusal(place, Text("%1 joint positions", joints.size()),
-                                  Text("%1 joint positions", entity->robot->dof())));
+                                  Text("%1 joint positions", entity->robot()->dof())));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
     return makeError(jointRefusal(place, Text("a joint position that is not a number"), Text("finite numbers")));
@@ -40,7 +40,7 @@ Expected<void> checkLimits(const workcell::Entity& entity, const std::vector<dou
   /// rad or m beyond a limit that typed numbers may be by rounding (nine digits). Half and twice are far below what a
   /// joint can do.
   constexpr double kSlack = 1e-9;
-  const kinematics::RobotModel& model = *entity.robot;
+  const kinematics::RobotModel& model = *entity.robot();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
     const double over = std::max(joints[i] - joint.upper, joint.lower - joints[i]);
@@ -56,8 +56,8 @@ Expected<std::unique_ptr<HeldEntity>> takeAt(std::shared_ptr<const PreparedScene
                                              const std::vector<double>& joints,
                                              const config::Configuration& configuration) {
   const Placements placements{{entity.id, {entity.X_WE, joints}}};
-  return HeldEntity::take(std::move(scene), entity.id, placements, {{}, entity.on_contact, entity.force_class},
-                          configuration);
+  return HeldEntity::take(std::move(scene), entity.id, placements,
+                          {{}, entity.contact.on_contact, entity.contact.force_class}, configuration);
 }
 
 /// What would meet what.
@@ -99,14 +99,14 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
   const auto entity = robotOf(*scene, id, joints);
   HAPTICELL_TRY(entity);
   HAPTICELL_TRY(checkLimits(**entity, joints));
-  auto held = takeAt(scene, **entity, (*entity)->joints, configuration);
+  auto held = takeAt(scene, **entity, (*entity)->joints(), configuration);
   HAPTICELL_TRY(held);
   const HeldEntity::WayResult way = (*held)->goTo({(*entity)->X_WE, joints});
   JointMotion motion;
   motion.joints = (*held)->accepted().joints;
   motion.share = way.share;
   motion.complete = !way.blocked;
-  motion.time_s = timeFor(*(*entity)->robot, (*entity)->joints, joints);
+  motion.time_s = timeFor(*(*entity)->robot(), (*entity)->joints(), joints);
   if (way.blocked) {
     const HeldPair& pair = (*held)->pairs()[way.pair];
     if (const workcell::Entity* other = scene->find(pair.other)) motion.obstacle = other->name;
@@ -124,7 +124,7 @@ Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell:
                            const std::vector<double>& joints, const config::Configuration& configuration) {
   const auto entity = robotOf(*scene, id, joints);
   HAPTICELL_TRY(entity);
-  auto now = takeAt(scene, **entity, (*entity)->joints, configuration);
+  auto now = takeAt(scene, **entity, (*entity)->joints(), configuration);
   HAPTICELL_TRY(now);
   auto then = takeAt(scene, **entity, joints, configuration);
   HAPTICELL_TRY(then);

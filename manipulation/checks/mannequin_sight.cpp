@@ -53,14 +53,14 @@ TargetSight sightOfTarget(const PreparedScene& scene, const workcell::Entity& ma
   for (const ScenePart& part : scene.parts()) {
     if (part.entity == mannequin.id) continue;
     const workcell::Entity& owner = *scene.find(part.entity);
-    const Placed placed{&part, PreparedScene::partPose(owner, owner.X_WE, owner.joints, part.link)};
+    const Placed placed{&part, PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link)};
     (part.entity == target ? targets : others).push_back(placed);
   }
   TargetSight sight;
   if (targets.empty()) return sight;
   const geometry::Bounds box = boundsOf(targets);
-  const auto pose = mannequin::forwardKinematics(*mannequin.figure, posture);
-  const mannequin::Sight middle = mannequin::sightOf(*mannequin.figure, pose, box.center());
+  const auto pose = mannequin::forwardKinematics(*mannequin.figure(), posture);
+  const mannequin::Sight middle = mannequin::sightOf(*mannequin.figure(), pose, box.center());
   sight.zone = middle.zone;
   sight.distance = middle.distance;
   std::map<workcell::EntityId, int> hides;

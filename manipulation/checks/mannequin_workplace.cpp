@@ -56,7 +56,7 @@ class Search {
  public:
   Search(const WorkplaceQuestion& question, const Entity& shown) : question_(question), shown_(shown) {
     const std::vector<EntityId> moved = movedWith(question);
-    posture_ = mannequin::toPosture(*shown.figure, {shown.X_WE, shown.joints});
+    posture_ = mannequin::toPosture(*shown.figure(), {shown.X_WE, shown.joints()});
     const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
     ahead_ = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
     bodies_ = mannequin::boundaryFigures();
@@ -69,10 +69,9 @@ class Search {
       Entity body;
       body.id = kBodyId + i;
       body.name = bodies_[i].name;
-      body.kind = workcell::EntityKind::kMannequin;
-      body.figure = std::make_shared<const mannequin::Figure>(bodies_[i].figure);
-      body.robot = mannequin::figureModel(bodies_[i].figure);
-      body.joints.assign(body.robot->dof(), 0.0);
+      body.body = workcell::Mannequin{{.model = mannequin::figureModel(bodies_[i].figure)},
+                                      std::make_shared<const mannequin::Figure>(bodies_[i].figure)};
+      body.setJoints(std::vector<double>(body.robot()->dof(), 0.0));
       entities.push_back(std::move(body));
     }
     scene_ = PreparedScene::prepare(std::move(entities), {}, {});
@@ -81,7 +80,7 @@ class Search {
       const Entity& owner = *scene_->find(part.entity);
       const bool station = std::find(moved.begin(), moved.end(), owner.id) != moved.end();
       stands_.push_back(
-          {&part, PreparedScene::partPose(owner, owner.X_WE, owner.joints, part.link), station, owner.name});
+          {&part, PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link), station, owner.name});
     }
   }
 
@@ -100,7 +99,7 @@ class Search {
 
  private:
   Posture startOf(const mannequin::Figure& figure, bool seated) const {
-    if (!seated) return ergonomics::standingAt(*shown_.figure, posture_, figure);
+    if (!seated) return ergonomics::standingAt(*shown_.figure(), posture_, figure);
     Posture start = *mannequin::libraryPosture(figure, "seated");
     const double heading = std::atan2(ahead_.y, ahead_.x);
     start.X_WR.q = glm::normalize(quaternionFromRotationVector({0.0, 0.0, heading}) * start.X_WR.q);
@@ -111,7 +110,7 @@ class Search {
 
   int scoreBody(std::size_t i, WorkplaceCell& cell, const dvec3& shift) const {
     const mannequin::Figure& figure = bodies_[i].figure;
-    mannequin::PostureTask task = ergonomics::taskAt(*shown_.figure, posture_, figure, shift);
+    mannequin::PostureTask task = ergonomics::taskAt(*shown_.figure(), posture_, figure, shift);
     if (cell.is_seated) {
       task.pelvis_locked = true;
       task.balance = false;
@@ -138,7 +137,7 @@ class Search {
     const Entity& body = *scene_->find(kBodyId + i);
     const auto stands = mannequin::toModel(bodies_[i].figure, posture);
     for (const ScenePart& part : scene_->parts()) {
-      if (part.entity != body.id || isHand(*body.robot, part.link)) continue;
+      if (part.entity != body.id || isHand(*body.robot(), part.link)) continue;
       const Pose X_WP = PreparedScene::partPose(body, stands.X_WE, stands.joints, part.link);
       for (const Stand& stand : stands_) {
         Pose X_WS = stand.X_WP;
@@ -223,7 +222,7 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
                         [id](const Entity& e) { return e.id == id; });
   };
   const auto shown = find(question.mannequin);
-  if (shown == question.entities.end() || !shown->figure)
+  if (shown == question.entities.end() || !shown->figure())
     return makeError(
         refusal(Text("mannequin"), Text("the mannequin does not exist"), Text("one that exists in the cell")));
   if (question.station.empty())

@@ -47,17 +47,17 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
   return std::visit(
       Overloaded{
           [&](const by::Default&) {
-            const bool is_robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+            const bool is_robot = workcell::isMachine(entity);
             return is_robot ? by_joints() : fixed(Pose::identity());
           },
           [&](const by::Tool&) { return by_joints(); },
           [&](const by::Base&) { return fixed(Pose::identity()); },
           [&](const by::Origin&) { return fixed(Pose::identity()); },
           [&](const by::Center&) {
-            return fixed(entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : Pose::identity());
+            return fixed(entity.mesh() ? Pose::translation(entity.mesh()->bounds().center()) : Pose::identity());
           },
           [&](const by::Frame& frame) {
-            if (entity.robot && entity.robot->findLink(frame.name) >= 0) return by_joints();
+            if (entity.robot() && entity.robot()->findLink(frame.name) >= 0) return by_joints();
             return namedFrame(entities, entity, frame.name);
           },
           [&](const by::Whole&) { return fixed(Pose::identity()); },
@@ -74,19 +74,19 @@ namespace {
 
 /// A robot drawn by its tool centre point, without parts.
 Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
-  int tip = entity.robot->findLink(entity.tip_link);
-  if (tip < 0) tip = entity.robot->defaultTip();
+  int tip = entity.robot()->findLink(entity.jointed().tip_link);
+  if (tip < 0) tip = entity.robot()->defaultTip();
   if (tip < 0)
     return makeError(replayRefusal("'" + entity.name + "'", Text("the robot has no tip"), Text("a tip that moves")));
-  auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
+  auto inverse = kinematics::createInverse(*entity.robot(), tip, entity.jointed().X_LT);
   HAPTICELL_TRY(inverse);
-  return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
-                                            std::vector<RobotManipulator::Part>{});
+  return std::make_unique<RobotManipulator>(entity.robot(), RobotManipulator::Tool{tip, entity.jointed().X_LT},
+                                            std::move(*inverse), std::vector<RobotManipulator::Part>{});
 }
 
 /// A robot's motion by its tool: what joints and poses say of each other.
 bool isByTool(const Entity& entity, const Trajectory& trajectory) {
-  const bool robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+  const bool robot = workcell::isMachine(entity);
   return robot && trajectory.hasJoints() && (trajectory.moved.empty() || trajectory.moved == "tcp");
 }
 
@@ -105,7 +105,7 @@ Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajecto
   result.has_poses = true;
   result.reserve(trajectory.size());
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    EntityConfiguration at{entity.X_WE, entity.joints};
+    EntityConfiguration at{entity.X_WE, entity.joints()};
     const auto joints = trajectory.joints(i);
     for (std::size_t j = 0; j < joints.size(); ++j) at.joints[(*columns)[j]] = joints[j];
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): one `change` sets it.
@@ -139,13 +139,13 @@ Expected<Trajectory> posesFromJoints(const Entity& entity, const Trajectory& tra
 
 Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Trajectory& trajectory) {
   std::vector<std::size_t> columns;
-  if (entity.robot == nullptr) return columns;
+  if (entity.robot() == nullptr) return columns;
   for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
     const std::string& name = trajectory.joint_names[j];
-    const int joint = entity.robot->findJoint(name);
-    const int variable = joint < 0 ? -1 : entity.robot->joints[static_cast<std::size_t>(joint)].variable;
+    const int joint = entity.robot()->findJoint(name);
+    const int variable = joint < 0 ? -1 : entity.robot()->joints[static_cast<std::size_t>(joint)].variable;
     // CSV twins name their columns q1, q2, ... from base to tip.
-    const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
+    const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot()->dof();
     if (variable < 0 && !is_counted) {
       return makeError(replayRefusal(Text("joint '%1'", name), Text("'%1' has no such joint", entity.name),
                                      Text("names of the robot's joints, or q1, q2, ...")));
@@ -189,7 +189,7 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
 Expected<void> MotionReplay::follow(const std::vector<double>& start) {
   const auto arm = armOf(*entity_);
   HAPTICELL_TRY(arm);
-  EntityConfiguration at{entity_->X_WE, start.size() == entity_->robot->dof() ? start : entity_->joints};
+  EntityConfiguration at{entity_->X_WE, start.size() == entity_->robot()->dof() ? start : entity_->joints()};
   followed_.reserve(trajectory_->size());
   for (const Trajectory::Frame& frame : trajectory_->frames()) {
     at = (*arm)->propose(at, frame.X_WT, kinematics::kUnboundedDuration);
@@ -201,7 +201,7 @@ Expected<void> MotionReplay::follow(const std::vector<double>& start) {
 }
 
 EntityConfiguration MotionReplay::at(double t) const {
-  EntityConfiguration at{entity_->X_WE, entity_->joints};
+  EntityConfiguration at{entity_->X_WE, entity_->joints()};
   if (moves_root_) at.X_WE = trajectory_->poseAt(t) * X_EM_.inverse();
   if (!columns_.empty()) {
     const std::vector<double> joints = trajectory_->jointsAt(t);
@@ -221,20 +221,20 @@ EntityConfiguration MotionReplay::at(double t) const {
 }
 
 Pose MotionReplay::movedFrame(const EntityConfiguration& at) const {
-  if (moves_root_ || !entity_->robot) return at.X_WE * X_EM_;
-  int tip = entity_->robot->findLink(entity_->tip_link);
-  if (tip < 0) tip = entity_->robot->defaultTip();
+  if (moves_root_ || !entity_->robot()) return at.X_WE * X_EM_;
+  int tip = entity_->robot()->findLink(entity_->jointed().tip_link);
+  if (tip < 0) tip = entity_->robot()->defaultTip();
   if (tip < 0) return at.X_WE;
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*entity_->robot, at.joints, X_BL);
-  return at.X_WE * X_BL[static_cast<std::size_t>(tip)] * entity_->X_LT;
+  kinematics::forwardKinematics(*entity_->robot(), at.joints, X_BL);
+  return at.X_WE * X_BL[static_cast<std::size_t>(tip)] * entity_->jointed().X_LT;
 }
 
 Trajectory MotionReplay::withJoints() const {
   if (followed_.empty()) return *trajectory_;
   Trajectory result = trajectory_->emptyCopy();
-  for (const int joint : entity_->robot->moving) {
-    result.joint_names.push_back(entity_->robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : entity_->robot()->moving) {
+    result.joint_names.push_back(entity_->robot()->joints[static_cast<std::size_t>(joint)].name);
   }
   result.reserve(trajectory_->size());
   for (std::size_t i = 0; i < trajectory_->size(); ++i) result.addFrame((*trajectory_)[i], followed_[i]);

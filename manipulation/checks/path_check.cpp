@@ -191,8 +191,8 @@ class FindingList {
 /// Of a robot: joints against their ends and speeds, and how near the arm is to losing a direction.
 class JointTrack {
  public:
-  explicit JointTrack(const Entity& entity) : model_(*entity.robot), arm_(sixAxisChain(entity)) {
-    tip_ = model_.findLink(entity.tip_link);
+  explicit JointTrack(const Entity& entity) : model_(*entity.robot()), arm_(sixAxisChain(entity)) {
+    tip_ = model_.findLink(entity.jointed().tip_link);
     if (tip_ < 0) tip_ = model_.defaultTip();
     variables_ = tip_ >= 0 ? kinematics::variablesOfChain(model_, tip_) : std::vector<int>{};
   }
@@ -290,7 +290,7 @@ class PathWalk {
         bodies_(held),
         collisions_(bodies_, manipulator_, options.look),
         before_(held.accepted()) {
-    if (entity.kind == EntityKind::kRobot && entity.robot != nullptr) joints_.emplace(entity);
+    if (entity.kind() == EntityKind::kRobot && entity.robot() != nullptr) joints_.emplace(entity);
     if (!held.leftOutNote().empty()) result_.notes.push_back(english(held.leftOutNote()));
   }
 

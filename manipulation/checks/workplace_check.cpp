@@ -27,7 +27,7 @@ const Entity* entityOf(const std::vector<Entity>& entities, workcell::EntityId i
 }
 
 dvec3 shiftOf(const Entity& shown, const WorkplaceCell& place) {
-  const mannequin::Posture posture = mannequin::toPosture(*shown.figure, {shown.X_WE, shown.joints});
+  const mannequin::Posture posture = mannequin::toPosture(*shown.figure(), {shown.X_WE, shown.joints()});
   const dvec3 ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
   return place.away * glm::normalize(dvec3(ahead.x, ahead.y, 0.0)) + dvec3(0.0, 0.0, place.rise);
 }
@@ -35,15 +35,15 @@ dvec3 shiftOf(const Entity& shown, const WorkplaceCell& place) {
 /// How far the worse active hand's grip is from its target, m.
 double gripError(const Entity& shown, const mannequin::Figure& figure, const mannequin::Posture& posture,
                  const dvec3& shift) {
-  const mannequin::Posture task = mannequin::toPosture(*shown.figure, {shown.X_WE, shown.joints});
-  const mannequin::FigurePose was = mannequin::forwardKinematics(*shown.figure, task);
+  const mannequin::Posture task = mannequin::toPosture(*shown.figure(), {shown.X_WE, shown.joints()});
+  const mannequin::FigurePose was = mannequin::forwardKinematics(*shown.figure(), task);
   const mannequin::FigurePose is = mannequin::forwardKinematics(figure, posture);
   const std::array<bool, 2> active = ergonomics::activeHands(was, task);
   double worst = 0.0;
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const auto i = static_cast<std::size_t>(side);
     if (!active[i]) continue;
-    const dvec3 wanted = mannequin::handPose(was, side) * shown.figure->p_HandGrip[i] + shift;
+    const dvec3 wanted = mannequin::handPose(was, side) * shown.figure()->p_HandGrip[i] + shift;
     worst = std::max(worst, glm::length(mannequin::handPose(is, side) * figure.p_HandGrip[i] - wanted));
   }
   return worst;
@@ -69,19 +69,17 @@ std::string enteredBy(const std::vector<Entity>& after, const Entity& shown, con
   const auto stands = mannequin::toModel(figure, posture);
   Entity body;
   body.id = kCheckedBody;
-  body.kind = workcell::EntityKind::kMannequin;
-  body.figure = std::make_shared<const mannequin::Figure>(figure);
-  body.robot = mannequin::figureModel(figure);
   body.X_WE = stands.X_WE;
-  body.joints = stands.joints;
+  body.body = workcell::Mannequin{{.model = mannequin::figureModel(figure), .joints = stands.joints},
+                                  std::make_shared<const mannequin::Figure>(figure)};
   entities.push_back(std::move(body));
   scene = PreparedScene::prepare(std::move(entities), {}, {}, scene.get());
   const auto placed = [&](const ScenePart& part) {
     const Entity& owner = *scene->find(part.entity);
-    return PreparedScene::partPose(owner, owner.X_WE, owner.joints, part.link);
+    return PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link);
   };
   for (const ScenePart& part : scene->parts()) {
-    if (part.entity != kCheckedBody || mayTouch(*scene->find(kCheckedBody)->robot, part.link)) continue;
+    if (part.entity != kCheckedBody || mayTouch(*scene->find(kCheckedBody)->robot(), part.link)) continue;
     for (const ScenePart& other : scene->parts()) {
       if (other.entity == kCheckedBody) continue;
       if (collision::distance(part.mesh.collider, placed(part), other.mesh.collider, placed(other), 1e-3).colliding)
@@ -96,7 +94,7 @@ std::string enteredBy(const std::vector<Entity>& after, const Entity& shown, con
 std::vector<Entity> movedCell(const WorkplaceQuestion& question, const WorkplaceCell& place) {
   std::vector<Entity> after = question.entities;
   const Entity* shown = entityOf(question.entities, question.mannequin);
-  if (!shown || !shown->figure) return after;
+  if (!shown || !shown->figure()) return after;
   const dvec3 shift = shiftOf(*shown, place);
   const std::vector<workcell::EntityId> moved = movedWith(question);
   for (Entity& entity : after) {
@@ -111,7 +109,7 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
   promises.help = "The cell has changed: search again.";
   const Entity* shown = entityOf(question.entities, question.mannequin);
   const auto bodies = mannequin::boundaryFigures();
-  if (!shown || !shown->figure || place.postures.size() != bodies.size()) {
+  if (!shown || !shown->figure() || place.postures.size() != bodies.size()) {
     promises.list.push_back({"bodies", 4.0, static_cast<double>(place.postures.size()), "bodies", "", true});
     return promises;
   }

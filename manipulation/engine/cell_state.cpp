@@ -25,7 +25,7 @@ EntityConfiguration CellState::placement(workcell::EntityId id) const {
   if (const auto moved = placements_.find(id); moved != placements_.end()) return moved->second;
   const workcell::Entity* found = find(id);
   HAPTICELL_DEMAND(found != nullptr);
-  return {found->X_WE, found->joints};
+  return {found->X_WE, found->joints()};
 }
 
 void CellState::tick(std::int64_t now_ns) {

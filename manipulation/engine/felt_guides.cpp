@@ -79,7 +79,7 @@ double FeltGuides::friction(const HeldEntity& held) const {
 /// The moved frame as the entity stands in the document.
 Pose FeltGuides::atRest(const HeldEntity& held) const {
   const workcell::Entity& entity = *cell_.find(held.id());
-  return held.manipulator().movedFrame({entity.X_WE, entity.joints});
+  return held.manipulator().movedFrame({entity.X_WE, entity.joints()});
 }
 
 /// Where a guide turns the entity by its place, every row is about places and the wrist is free.

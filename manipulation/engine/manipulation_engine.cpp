@@ -13,7 +13,7 @@ namespace {
 /// The documents say the same of where the entity stands: where else it has come to meanwhile goes on being true.
 bool standsInBoth(workcell::EntityId id, const PreparedScene& before, const PreparedScene& now) {
   const workcell::Entity *a = before.find(id), *b = now.find(id);
-  return a && b && a->X_WE.p == b->X_WE.p && a->X_WE.q == b->X_WE.q && a->joints == b->joints;
+  return a && b && a->X_WE.p == b->X_WE.p && a->X_WE.q == b->X_WE.q && a->joints() == b->joints();
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ HeldEntity* PosedJoints::ownHand() {
   const workcell::EntityId entity = wanted_->entity;
   if (poses(entity)) return posed_.get();
   const workcell::Entity& found = *cell_.find(entity);
-  const MovedBy moved_by = found.figure ? MovedBy(by::Whole{}) : MovedBy(by::Base{});
-  const HoldOptions options{moved_by, found.on_contact, found.force_class, true};
+  const MovedBy moved_by = found.figure() ? MovedBy(by::Whole{}) : MovedBy(by::Base{});
+  const HoldOptions options{moved_by, found.contact.on_contact, found.contact.force_class, true};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
     log_.notice(taken.error().text());

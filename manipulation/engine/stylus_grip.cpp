@@ -47,7 +47,8 @@ void StylusGrip::choose(workcell::EntityId entity) {
 bool StylusGrip::take(workcell::EntityId entity) {
   const workcell::Entity* found = cell_.find(entity);
   if (found == nullptr) return false;
-  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact), forceClassOf(*found), joints_move_};
+  const HoldOptions options{moved_by_, on_contact_.value_or(found->contact.on_contact), forceClassOf(*found),
+                            joints_move_};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
     log_.notice(taken.error().text());
@@ -103,7 +104,7 @@ Text StylusGrip::heldElsewhere(workcell::EntityId wanted) const {
   const workcell::Entity* other = cell_.find(other_held_);
   if (entity == nullptr || other == nullptr) return {};
   if (wanted == other_held_) {
-    if (entity->figure && areBothHands(moved_by_, other_moved_by_)) return {};
+    if (entity->figure() && areBothHands(moved_by_, other_moved_by_)) return {};
     return Text("%1 is held by the other stylus", entity->name);
   }
   if (cell_.standsOn(wanted, other_held_))

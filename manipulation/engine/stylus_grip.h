@@ -43,7 +43,7 @@ class StylusGrip {
   void setOnContact(workcell::OnContact on_contact) { on_contact_ = on_contact; }
   void setForceClass(workcell::ForceClass force_class) { force_class_ = force_class; }
   workcell::ForceClass forceClassOf(const workcell::Entity& entity) const {
-    return force_class_.value_or(entity.force_class);
+    return force_class_.value_or(entity.contact.force_class);
   }
 
   /// Takes an entity if nothing is held; reports if that is impossible. Returns true if it is held now.

@@ -38,15 +38,15 @@ Trajectory shifted(const Trajectory& given, double shift) {
 }  // namespace
 
 Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by) {
-  const bool is_mannequin = entity.kind == workcell::EntityKind::kMannequin;
+  const bool is_mannequin = entity.kind() == workcell::EntityKind::kMannequin;
   Trajectory recording;
   recording.name = entity.name;
   recording.entity = entity.name;
-  recording.moved = is_mannequin ? "whole" : wordOf(moved_by, entity.robot != nullptr);
+  recording.moved = is_mannequin ? "whole" : wordOf(moved_by, entity.robot() != nullptr);
   recording.channel_names = {"force_x", "force_y", "force_z", "contact"};
-  if (!entity.robot) return recording;
-  for (const int joint : entity.robot->moving) {
-    recording.joint_names.push_back(entity.robot->joints[static_cast<std::size_t>(joint)].name);
+  if (!entity.robot()) return recording;
+  for (const int joint : entity.robot()->moving) {
+    recording.joint_names.push_back(entity.robot()->joints[static_cast<std::size_t>(joint)].name);
   }
   return recording;
 }
@@ -88,10 +88,10 @@ void TakeRecorder::take(const Sample& sample, bool marked) {
                                  sample.touching.empty() ? 0.0 : 1.0, 0.0};
   if (track.arm) channels[4] = configurationNumber(*track.arm, sample.at->joints).value_or(0);
   const std::span<const double> told(channels.data(), track.arm ? 5 : 4);
-  const bool has_joints = sample.entity->robot != nullptr;
+  const bool has_joints = sample.entity->robot() != nullptr;
   const std::span<const double> joints =
       has_joints ? std::span<const double>(sample.at->joints) : std::span<const double>();
-  const bool is_mannequin = sample.entity->kind == workcell::EntityKind::kMannequin;
+  const bool is_mannequin = sample.entity->kind() == workcell::EntityKind::kMannequin;
   const Pose& X_WM = is_mannequin ? sample.at->X_WE : sample.X_WM;
   if (!marked) return track.recorder.add(sample.t, X_WM, joints, told);
   track.recorder.mark(sample.t, X_WM, joints, told);

@@ -14,8 +14,8 @@ std::string pathOf(const std::string& entity, const std::string& part) {
 
 /// What moves by itself is recorded by: a mannequin as a whole, a robot by its base.
 MovedBy wholeOf(const workcell::Entity& entity) {
-  if (entity.figure) return by::Whole{};
-  return entity.robot ? MovedBy(by::Base{}) : MovedBy(by::Origin{});
+  if (entity.figure()) return by::Whole{};
+  return entity.robot() ? MovedBy(by::Base{}) : MovedBy(by::Origin{});
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ haptic::LoadOptions feltLoad(const workcell::Entity& entity, workcell::ForceClas
                              double continuous_force) {
   haptic::LoadOptions load;
   if (force_class == workcell::ForceClass::kConstant) return load;
-  const double weight = std::min((1.0 - settings.gravity_compensation) * entity.mass * kGravity,
+  const double weight = std::min((1.0 - settings.gravity_compensation) * entity.contact.mass * kGravity,
                                  kWeightShare * std::max(0.0, continuous_force));
   if (weight > 0.0) load.weight_D = weight * (glm::conjugate(mapping.axes()) * dvec3(0.0, 0.0, -1.0));
   if (force_class != workcell::ForceClass::kDynamics) return load;
-  load.mass = std::min(entity.mass, settings.felt_mass);
+  load.mass = std::min(entity.contact.mass, settings.felt_mass);
   load.damping = settings.load_damping;
   return load;
 }

@@ -63,7 +63,7 @@ Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const Prepa
   auto held = HeldEntity::take(scene, entity, {}, options, configuration);
   HAPTICELL_TRY(held);
   std::unique_ptr<FigureWay> way(new FigureWay);
-  way->figure_ = scene->find(entity)->figure;
+  way->figure_ = scene->find(entity)->figure();
   way->scene_ = std::move(scene);
   way->held_ = std::move(*held);
   way->X_WTaken_ = way->X_WTarget_ = way->held_->movedFrame();

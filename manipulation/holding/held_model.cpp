@@ -23,9 +23,9 @@ std::vector<Footing> footingsOf(const PreparedScene& scene, const Entity& entity
   for (const Entity* at = &entity; !at->attachment.to.empty() && found.size() < scene.entities().size();) {
     const Entity* carrier = scene.find(at->attachment.to);
     if (carrier == nullptr) break;
-    const int link = carrier->robot ? carrier->robot->findLink(at->attachment.link) : -1;
+    const int link = carrier->robot() ? carrier->robot()->findLink(at->attachment.link) : -1;
     // A pedestal without joints is passed over: it hangs on the axis and goes with it.
-    if (link >= 0 && kinematics::isMoved(*carrier->robot, link)) found.push_back({carrier, link});
+    if (link >= 0 && kinematics::isMoved(*carrier->robot(), link)) found.push_back({carrier, link});
     at = carrier;
   }
   return found;
@@ -35,7 +35,7 @@ std::vector<Footing> footingsOf(const PreparedScene& scene, const Entity& entity
 
 EntityConfiguration standingOf(const Entity& entity, const Placements& placements) {
   const auto moved = placements.find(entity.id);
-  return moved == placements.end() ? EntityConfiguration{entity.X_WE, entity.joints} : moved->second;
+  return moved == placements.end() ? EntityConfiguration{entity.X_WE, entity.joints()} : moved->second;
 }
 
 HeldModel::HeldModel(std::shared_ptr<const PreparedScene> scene, const Entity& entity, const Placements& placements,
@@ -52,25 +52,25 @@ HeldModel::HeldModel(std::shared_ptr<const PreparedScene> scene, const Entity& e
 
 /// What cannot go along stands still: a locked axis, one with closed loops.
 void HeldModel::mountOnAxes(const Placements& placements, std::vector<Text>& notes) {
-  if (!form_.robot || form_.kind == workcell::EntityKind::kMannequin) return;
+  if (!workcell::isMachine(form_)) return;
   const std::vector<Footing> footings = footingsOf(*scene_, *scene_->find(id_));
   for (const Footing& footing : footings) {
     const Entity& carrier = *footing.carrier;
     if (carrier.locked) continue;
     const EntityConfiguration base = standingOf(carrier, placements);
     const Pose X_WL = PreparedScene::partPose(carrier, base.X_WE, base.joints, footing.link);
-    auto mounted = kinematics::mountRobot(*carrier.robot, footing.link, X_WL.inverse() * taken_.X_WE, *form_.robot);
+    auto mounted = kinematics::mountRobot(*carrier.robot(), footing.link, X_WL.inverse() * taken_.X_WE, *form_.robot());
     if (!mounted) {
       notes.push_back(Text("%1 does not go along with %2: %3", carrier.name, form_.name, mounted.error().text()));
       continue;
     }
     for (Member& member : members_) {
-      member.first_link += static_cast<int>(carrier.robot->links.size());
-      member.first_joint += static_cast<int>(carrier.robot->joints.size()) + 1;
-      member.first_variable += carrier.robot->dof();
+      member.first_link += static_cast<int>(carrier.robot()->links.size());
+      member.first_joint += static_cast<int>(carrier.robot()->joints.size()) + 1;
+      member.first_variable += carrier.robot()->dof();
     }
     members_.insert(members_.begin(), Member{carrier.id, 0, 0, 0});
-    form_.robot = std::make_shared<const kinematics::RobotModel>(std::move(*mounted));
+    form_.editJointed().model = std::make_shared<const kinematics::RobotModel>(std::move(*mounted));
     taken_.X_WE = base.X_WE;
     taken_.joints.insert(taken_.joints.begin(), base.joints.begin(), base.joints.end());
   }
@@ -82,14 +82,14 @@ void HeldModel::gatherCarried(const Placements& placements) {
   std::vector<int> links;
   for (const Member& member : members_) {
     names.push_back(scene_->find(member.id)->name);
-    links.push_back(form_.robot ? member.first_link : -1);
+    links.push_back(form_.robot() ? member.first_link : -1);
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const Entity& other : scene_->entities()) {
       if (other.attachment.to != names[k] || isMember(other.id)) continue;
       const Entity* on = k < members_.size() ? scene_->find(members_[k].id) : nullptr;
-      const bool on_robot = on && on->robot && !other.attachment.link.empty();
-      const int link = links[k] + (on_robot ? std::max(0, on->robot->findLink(other.attachment.link)) : 0);
+      const bool on_robot = on && on->robot() && !other.attachment.link.empty();
+      const int link = links[k] + (on_robot ? std::max(0, on->robot()->findLink(other.attachment.link)) : 0);
       EntityConfiguration stands = standingOf(other, placements);
       const Pose X_WL = PreparedScene::partPose(form_, taken_.X_WE, taken_.joints, link);
       names.push_back(other.name);
@@ -166,8 +166,8 @@ int HeldModel::ownJoint(int joint) const {
 }
 
 const std::string& HeldModel::jointName(int joint) const {
-  HAPTICELL_DEMAND(form_.robot && joint >= 0 && static_cast<std::size_t>(joint) < form_.robot->joints.size());
-  return form_.robot->joints[static_cast<std::size_t>(joint)].name;
+  HAPTICELL_DEMAND(form_.robot() && joint >= 0 && static_cast<std::size_t>(joint) < form_.robot()->joints.size());
+  return form_.robot()->joints[static_cast<std::size_t>(joint)].name;
 }
 
 std::string HeldModel::nameOf(const ScenePart& part) const {

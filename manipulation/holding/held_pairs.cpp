@@ -26,7 +26,8 @@ constexpr std::size_t kMostNamed = 3;
 
 /// Two touching materials: the softer, the better damped, the mean of friction.
 void blend(const config::Configuration& configuration, const Entity& a, const Entity& b, PairFeel& feel) {
-  const auto first = configuration.materials.find(a.material), second = configuration.materials.find(b.material);
+  const auto first = configuration.materials.find(a.contact.material),
+             second = configuration.materials.find(b.contact.material);
   const config::Material none;
   const config::Material& m1 = first == configuration.materials.end() ? none : first->second;
   const config::Material& m2 = second == configuration.materials.end() ? none : second->second;
@@ -119,19 +120,19 @@ void HeldPairs::gatherOwn(const HeldModel& model, const Manipulator& manipulator
   const Entity& entity = model.form();
   const PreparedScene& scene = *model.scene();
   const std::vector<MovedPart>& moved = model.parts();
-  const bool body = entity.kind == workcell::EntityKind::kMannequin;
-  if (!entity.robot || !entity.checked || options.on_contact == OnContact::kPass) return;
+  const bool body = entity.kind() == workcell::EntityKind::kMannequin;
+  if (!entity.robot() || !entity.checked || options.on_contact == OnContact::kPass) return;
   std::vector<OwnPart> parts;
   for (const MovedPart& part : moved) parts.push_back({std::max(0, part.link), !model.isMember(part.owner)});
-  std::vector<Pose> X_EP = restPoses(*entity.robot, moved);
+  std::vector<Pose> X_EP = restPoses(*entity.robot(), moved);
   // A body has no rest in which all is apart: what overlaps as it is taken (an arm on the thigh) is left out instead.
   if (body) manipulator.partPoses(model.taken(), X_EP);
   // What a hand carries is checked as that hand is.
   const auto linkOf = [&](const MovedPart& part) -> const std::string& {
-    return entity.robot->links[static_cast<std::size_t>(std::max(0, part.link))].name;
+    return entity.robot()->links[static_cast<std::size_t>(std::max(0, part.link))].name;
   };
   std::vector<std::string> touching;
-  for (OwnPair own : ownPairs(*entity.robot, parts)) {
+  for (OwnPair own : ownPairs(*entity.robot(), parts)) {
     // What is carried is told first: "gripper touches robot/link_5".
     if (parts[own.second].carried) std::swap(own.first, own.second);
     const MovedPart &first = moved[own.first], &second = moved[own.second];

@@ -10,9 +10,9 @@ namespace hapticell::manipulation {
 
 JointFriction::JointFriction(const HeldModel& model) {
   for (const workcell::Entity* one : model.members()) {
-    if (!one->robot) continue;
-    const auto own = one->mechanism ? workcell::frictionOf(*one->mechanism, *one->robot)
-                                    : std::vector<double>(one->robot->dof(), 0.0);
+    if (!one->robot()) continue;
+    const auto own = one->mechanism() ? workcell::frictionOf(*one->mechanism(), *one->robot())
+                                      : std::vector<double>(one->robot()->dof(), 0.0);
     friction_.insert(friction_.end(), own.begin(), own.end());
   }
   const bool any = std::any_of(friction_.begin(), friction_.end(), [](double friction) { return friction > 0.0; });

@@ -8,11 +8,12 @@
 namespace hapticell::manipulation {
 
 std::optional<kinematics::Chain> sixAxisChain(const workcell::Entity& entity) {
-  if (entity.kind != workcell::EntityKind::kRobot || !entity.robot || entity.robot->dof() != 6) return std::nullopt;
-  int tip = entity.robot->findLink(entity.tip_link);
-  if (tip < 0) tip = entity.robot->defaultTip();
+  if (entity.kind() != workcell::EntityKind::kRobot || !entity.robot() || entity.robot()->dof() != 6)
+    return std::nullopt;
+  int tip = entity.robot()->findLink(entity.jointed().tip_link);
+  if (tip < 0) tip = entity.robot()->defaultTip();
   if (tip < 0) return std::nullopt;
-  auto chain = kinematics::Chain::create(*entity.robot, tip, entity.X_LT);
+  auto chain = kinematics::Chain::create(*entity.robot(), tip, entity.jointed().X_LT);
   if (!chain || chain->size() != 6) return std::nullopt;
   return std::move(*chain);
 }

@@ -22,20 +22,15 @@ using workcell::Entity;
 using workcell::EntityKind;
 using Made = Expected<std::unique_ptr<Manipulator>>;
 
-/// Or a mechanism.
-bool isRobot(const Entity& entity) {
-  return entity.robot != nullptr && entity.kind != EntityKind::kMannequin;
-}
-
 bool isFigure(const Entity& entity) {
-  return entity.figure != nullptr && entity.robot != nullptr;
+  return entity.figure() != nullptr && entity.robot() != nullptr;
 }
 
 Text choicesOf(const Entity& entity) {
-  if (entity.kind == EntityKind::kMannequin)
+  if (entity.kind() == EntityKind::kMannequin)
     return Text("whole, left_hand, right_hand, both_hands, head or self_origin");
-  return entity.robot ? Text("tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links")
-                      : Text("self_origin, geometric_center or frame:NAME of an entity");
+  return entity.robot() ? Text("tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links")
+                        : Text("self_origin, geometric_center or frame:NAME of an entity");
 }
 
 /// The middle of a mechanism's part: where a hand takes it, away from its joint.
@@ -72,7 +67,8 @@ bool isByHead(const Taking& taking) {
 
 Made makeHead(const Taking& taking) {
   const bool trunk_locked = std::get<by::Head>(taking.moved_by).locks.trunk;
-  return std::make_unique<MannequinHead>(taking.entity.figure, taking.entity.robot, trunk_locked, bodyParts(taking));
+  return std::make_unique<MannequinHead>(taking.entity.figure(), taking.entity.robot(), trunk_locked,
+                                         bodyParts(taking));
 }
 
 bool isByHands(const Taking& taking) {
@@ -83,8 +79,8 @@ bool isByHands(const Taking& taking) {
 Made makeHandsWith(const Taking& taking, MannequinManipulator::Hands hands, const BodyLocks& body, bool may_step) {
   const MannequinManipulator::Locks locks{body.trunk, body.pelvis,           body.seat,
                                           may_step,   hangsInTheAir(taking), loadsInHands(taking)};
-  return std::make_unique<MannequinManipulator>(taking.entity.figure, taking.entity.robot, hands, locks, taking.stands,
-                                                bodyParts(taking));
+  return std::make_unique<MannequinManipulator>(taking.entity.figure(), taking.entity.robot(), hands, locks,
+                                                taking.stands, bodyParts(taking));
 }
 
 Made makeHands(const Taking& taking) {
@@ -99,7 +95,7 @@ Made makeHands(const Taking& taking) {
 
 bool lockNeedsTrunk(const Taking& taking) {
   const BodyLocks* locks = locksOf(taking.moved_by);
-  return locks != nullptr && (locks->trunk || locks->pelvis) && taking.entity.kind != EntityKind::kMannequin;
+  return locks != nullptr && (locks->trunk || locks->pelvis) && taking.entity.kind() != EntityKind::kMannequin;
 }
 
 Made refuseLock(const Taking& taking) {
@@ -109,16 +105,16 @@ Made refuseLock(const Taking& taking) {
 /// The link of the robot that the frame names; -1: none.
 int namedLink(const Taking& taking) {
   const auto* frame = std::get_if<by::Frame>(&taking.moved_by);
-  return frame != nullptr && isRobot(taking.entity) ? taking.entity.robot->findLink(frame->name) : -1;
+  return frame != nullptr && isMachine(taking.entity) ? taking.entity.robot()->findLink(frame->name) : -1;
 }
 
 bool isByBaseKeepingTool(const Taking& taking) {
   const auto* base = std::get_if<by::Base>(&taking.moved_by);
-  return base != nullptr && base->keeps_tool && isRobot(taking.entity);
+  return base != nullptr && base->keeps_tool && isMachine(taking.entity);
 }
 
 bool isByTool(const Taking& taking) {
-  return isRobot(taking.entity) && (std::holds_alternative<by::Tool>(taking.moved_by) || namedLink(taking) >= 0);
+  return isMachine(taking.entity) && (std::holds_alternative<by::Tool>(taking.moved_by) || namedLink(taking) >= 0);
 }
 
 /// Of a way that has a tool, or keeps one.
@@ -138,19 +134,19 @@ std::string atSingularity(const Taking& taking) {
 Expected<RobotManipulator::Tool> heldTool(const Taking& taking) {
   const Entity& entity = taking.entity;
   const int named = namedLink(taking);
-  int tip = named >= 0 ? named : entity.robot->findLink(entity.tip_link);
-  if (tip < 0) tip = entity.robot->defaultTip();
+  int tip = named >= 0 ? named : entity.robot()->findLink(entity.jointed().tip_link);
+  if (tip < 0) tip = entity.robot()->defaultTip();
   if (tip < 0)
     return makeError(takingRefused(entity, Text("the robot has no tip"), Text("a robot with a moving link")));
-  if (named < 0) return RobotManipulator::Tool{tip, entity.X_LT};
-  return RobotManipulator::Tool{tip, entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity()};
+  if (named < 0) return RobotManipulator::Tool{tip, entity.jointed().X_LT};
+  return RobotManipulator::Tool{tip, entity.mechanism() ? middleOf(*entity.robot(), tip) : Pose::identity()};
 }
 
 Expected<std::unique_ptr<kinematics::InverseModel>> inverseOf(const Taking& taking,
                                                               const RobotManipulator::Tool& tool) {
   kinematics::InverseOptions options;
   options.at_singularity = singularityChoice(atSingularity(taking));
-  return kinematics::createInverse(*taking.entity.robot, tool.tip_link, tool.X_LT, options);
+  return kinematics::createInverse(*taking.entity.robot(), tool.tip_link, tool.X_LT, options);
 }
 
 Made makeByBaseKeepingTool(const Taking& taking) {
@@ -158,7 +154,7 @@ Made makeByBaseKeepingTool(const Taking& taking) {
   HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
   HAPTICELL_TRY(inverse);
-  return std::make_unique<RobotBaseManipulator>(taking.entity.robot, *tool, std::move(*inverse), robotParts(taking),
+  return std::make_unique<RobotBaseManipulator>(taking.entity.robot(), *tool, std::move(*inverse), robotParts(taking),
                                                 taking.stands);
 }
 
@@ -167,7 +163,7 @@ Made makeByTool(const Taking& taking) {
   HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
   HAPTICELL_TRY(inverse);
-  auto made = std::make_unique<RobotManipulator>(taking.entity.robot, *tool, std::move(*inverse), robotParts(taking));
+  auto made = std::make_unique<RobotManipulator>(taking.entity.robot(), *tool, std::move(*inverse), robotParts(taking));
   if (atSingularity(taking) == "stop") made->stopAtSingularities();
   return made;
 }
@@ -183,15 +179,15 @@ Expected<Pose> frameOfWhole(const Taking& taking) {
     return makeError(takingRefused(entity, Text("the entity cannot be moved in this way"), choicesOf(entity)));
   };
   const auto by_origin = [&](const auto& way) -> Expected<Pose> {
-    return isRobot(entity) ? refused(way) : Pose::identity();
+    return isMachine(entity) ? refused(way) : Pose::identity();
   };
   return std::visit(Overloaded{
                         [&](const by::Default& way) { return by_origin(way); },
                         [&](const by::Tool& way) { return refused(way); },
-                        [&](const by::Base& way) { return isRobot(entity) ? Pose::identity() : refused(way); },
+                        [&](const by::Base& way) { return isMachine(entity) ? Pose::identity() : refused(way); },
                         [&](const by::Origin& way) { return by_origin(way); },
                         [&](const by::Center& way) {
-                          return entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : by_origin(way);
+                          return entity.mesh() ? Pose::translation(entity.mesh()->bounds().center()) : by_origin(way);
                         },
                         [&](const by::Frame& way) -> Expected<Pose> {
                           const PreparedScene::FoundFrame frame = taking.scene.findFrame(way.name);
@@ -212,10 +208,10 @@ Made makeWhole(const Taking& taking) {
   const Entity& entity = taking.entity;
   const Expected<Pose> X_EM = frameOfWhole(taking);
   HAPTICELL_TRY(X_EM);
-  if (taking.joints_move && entity.robot && !entity.robot->closure) {
+  if (taking.joints_move && entity.robot() && !entity.robot()->closure) {
     std::vector<JointedWhole::Part> parts;
     for (const Taking::Part& part : taking.parts) parts.push_back({part.link, part.X_LP});
-    return std::make_unique<JointedWhole>(entity.robot, *X_EM, std::move(parts));
+    return std::make_unique<JointedWhole>(entity.robot(), *X_EM, std::move(parts));
   }
   std::vector<Pose> X_EP;
   for (const Taking::Part& part : taking.parts) {
@@ -243,9 +239,9 @@ MovedBy resolved(const MovedBy& moved_by, const Entity& entity) {
   if (std::holds_alternative<by::Whole>(moved_by)) return by::Origin{};
   const auto* usual = std::get_if<by::Default>(&moved_by);
   if (usual == nullptr) return moved_by;
-  if ((usual->locks.trunk || usual->locks.pelvis) && entity.kind != EntityKind::kMannequin) return moved_by;
-  if (!isRobot(entity)) return by::Origin{};
-  if (mannequin::isFreeHand(*entity.robot)) return by::Base{};  // Its fingers are the glove's.
+  if ((usual->locks.trunk || usual->locks.pelvis) && entity.kind() != EntityKind::kMannequin) return moved_by;
+  if (!isMachine(entity)) return by::Origin{};
+  if (mannequin::isFreeHand(*entity.robot())) return by::Base{};  // Its fingers are the glove's.
   return usual->tool;
 }
 

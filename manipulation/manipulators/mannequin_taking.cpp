@@ -33,7 +33,7 @@ bool isOfHand(const std::string& link, Side side) {
 }
 
 mannequin::FigurePose poseOf(const Taking& taking) {
-  const mannequin::Figure& figure = *taking.entity.figure;
+  const mannequin::Figure& figure = *taking.entity.figure();
   return mannequin::forwardKinematics(figure, mannequin::toPosture(figure, {taking.stands.X_WE, taking.stands.joints}));
 }
 
@@ -42,7 +42,7 @@ bool bears(const Taking& taking, const ScenePart& foot, const Pose& X_WFoot) {
   for (const ScenePart& part : taking.scene.parts()) {
     const workcell::Entity& owner = *taking.scene.find(part.entity);
     if (owner.id == taking.entity.id || owner.attachment.to == taking.entity.name) continue;
-    const Pose X_WP = PreparedScene::partPose(owner, owner.X_WE, owner.joints, part.link);
+    const Pose X_WP = PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link);
     const auto found = collision::distance(foot.mesh.collider, X_WFoot, part.mesh.collider, X_WP, kOffTheFloor);
     if (found.colliding || !found.beyond_limit) return true;
   }
@@ -54,7 +54,7 @@ bool bears(const Taking& taking, const ScenePart& foot, const Pose& X_WFoot) {
 bool hangsInTheAir(const Taking& taking) {
   const mannequin::FigurePose pose = poseOf(taking);
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const Pose sole = mannequin::footPose(pose, side) * Pose::translation({0.0, 0.0, taking.entity.figure->sole.z});
+    const Pose sole = mannequin::footPose(pose, side) * Pose::translation({0.0, 0.0, taking.entity.figure()->sole.z});
     if (sole.p.z < kOffTheFloor) return false;
   }
   for (const ScenePart& part : taking.scene.parts()) {
@@ -70,16 +70,16 @@ std::array<mannequin::HandLoad, 2> loadsInHands(const Taking& taking) {
   std::array<mannequin::HandLoad, 2> loads{};
   const mannequin::FigurePose pose = poseOf(taking);
   for (const workcell::Entity& held : taking.scene.entities()) {
-    if (held.attachment.to != taking.entity.name || !held.mesh || !(held.mass > 0.0)) continue;
+    if (held.attachment.to != taking.entity.name || !held.mesh() || !(held.contact.mass > 0.0)) continue;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       if (!isOfHand(held.attachment.link, side)) continue;
-      const int link = taking.entity.robot->findLink(held.attachment.link);
+      const int link = taking.entity.robot()->findLink(held.attachment.link);
       const Pose X_WL = PreparedScene::partPose(taking.entity, taking.stands.X_WE, taking.stands.joints, link);
-      const dvec3 p_WC = X_WL * held.attachment.X_LE * held.mesh->bounds().center();
+      const dvec3 p_WC = X_WL * held.attachment.X_LE * held.mesh()->bounds().center();
       mannequin::HandLoad& load = loads[static_cast<std::size_t>(side)];
-      const double mass = load.mass + held.mass;
+      const double mass = load.mass + held.contact.mass;
       const dvec3 p_HC = mannequin::handPose(pose, side).inverse() * p_WC;
-      load = {mass, (load.mass * load.p_HC + held.mass * p_HC) / mass};
+      load = {mass, (load.mass * load.p_HC + held.contact.mass * p_HC) / mass};
     }
   }
   return loads;

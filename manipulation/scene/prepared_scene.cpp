@@ -136,21 +136,31 @@ void PreparedScene::run(const std::vector<Job>& jobs, std::span<const std::share
 }
 
 void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& jobs) {
-  if (entity.kind == workcell::EntityKind::kSolid) {
-    const auto& mesh = workcell::checkedMesh(entity);
-    if (!mesh || mesh->triangles.empty()) return;
-    addPart({.entity = entity.id}, {mesh.get(), -1}, mesh, jobs);
-    return;
+  switch (entity.kind()) {
+    case workcell::EntityKind::kSolid:
+      if (const auto& mesh = workcell::checkedMesh(entity); mesh && !mesh->triangles.empty())
+        addPart({.entity = entity.id}, {mesh.get(), -1}, mesh, jobs);
+      return;
+    case workcell::EntityKind::kRobot:
+    case workcell::EntityKind::kMechanism:
+    case workcell::EntityKind::kMannequin:
+      return addLinks(entity, jobs);
+    case workcell::EntityKind::kAssembly:
+    case workcell::EntityKind::kFrame:
+      return;  // Without a shape.
   }
-  if (!entity.robot) return;
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
-    const kinematics::Link& link = entity.robot->links[i];
+}
+
+void PreparedScene::addLinks(const workcell::Entity& entity, std::vector<Job>& jobs) {
+  if (!entity.robot()) return;
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
+    const kinematics::Link& link = entity.robot()->links[i];
     geometry::TriangleMesh whole;
     for (const kinematics::LinkShape& shape : link.collisions) {
       if (shape.mesh) geometry::append(whole, *shape.mesh, shape.X_LS);
     }
     if (whole.triangles.empty()) continue;
-    const MeshKey key{entity.robot.get(), static_cast<int>(i)};
+    const MeshKey key{entity.robot().get(), static_cast<int>(i)};
     addPart({.entity = entity.id, .link = static_cast<int>(i), .name = link.name}, key,
             std::make_shared<const geometry::TriangleMesh>(std::move(whole)), jobs);
   }
@@ -168,9 +178,9 @@ const workcell::Entity* PreparedScene::find(const std::string& name) const {
 
 Pose PreparedScene::partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints,
                              int link) {
-  if (link < 0 || !entity.robot) return X_WE;
+  if (link < 0 || !entity.robot()) return X_WE;
   std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*entity.robot, joints, X_EL);
+  kinematics::forwardKinematics(*entity.robot(), joints, X_EL);
   return X_WE * X_EL[static_cast<std::size_t>(link)];
 }
 
@@ -178,7 +188,7 @@ std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId m
                                                             workcell::OnContact on_contact) const {
   std::vector<workcell::Entity> entities = entities_;
   for (workcell::Entity& entity : entities) {
-    if (entity.id == moved) entity.on_contact = on_contact;
+    if (entity.id == moved) entity.contact.on_contact = on_contact;
   }
   return workcell::effectivePairs(entities, pairs_.sets, moved, defaults_);
 }

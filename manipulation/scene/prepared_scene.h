@@ -101,6 +101,7 @@ class PreparedScene {
   PreparedScene() = default;
   struct Job;  ///< A mesh that is still to be prepared.
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
+  void addLinks(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
   void run(const std::vector<Job>& jobs, std::span<const std::shared_ptr<const PreparedScene>> previous,

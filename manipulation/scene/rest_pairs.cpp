@@ -23,7 +23,7 @@ std::vector<PlacedPart> placedParts(const PreparedScene& scene, workcell::Entity
   const Entity* entity = scene.find(id);
   for (const ScenePart& part : scene.parts()) {
     if (part.entity != id || !entity || !part.mesh.collider) continue;
-    PlacedPart at{&part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints, part.link), {}};
+    PlacedPart at{&part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints(), part.link), {}};
     at.bounds_W = geometry::transformed(at.X_WP, part.mesh.collider->bounds());
     placed.push_back(std::move(at));
   }
@@ -87,9 +87,9 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
     return std::any_of(family.begin(), family.end(), [id](const Entity* one) { return one->id == id; });
   };
   for (const Entity* one : family) {
-    for (const workcell::EffectivePair& rule : scene.pairsOf(one->id, entity->on_contact)) {
+    for (const workcell::EffectivePair& rule : scene.pairsOf(one->id, entity->contact.on_contact)) {
       // Of what goes along only what is carried against the links of what carries it all, as while it is held.
-      if (goes_along(rule.other) && (one == entity || rule.other != moved || !entity->robot)) continue;
+      if (goes_along(rule.other) && (one == entity || rule.other != moved || !entity->robot())) continue;
       if (auto nearest = nearestParts(scene, rule, limit)) pairs.push_back(std::move(*nearest));
     }
   }
@@ -107,7 +107,7 @@ std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, doubl
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Entity& entity = scene.entities()[i];
     if (parts[i].empty()) continue;
-    for (const workcell::EffectivePair& pair : scene.pairsOf(entity.id, entity.on_contact)) {
+    for (const workcell::EffectivePair& pair : scene.pairsOf(entity.id, entity.contact.on_contact)) {
       const std::size_t j = index(pair.other);
       const Entity& other = scene.entities()[j];
       if (j < i || (entity.locked && other.locked)) continue;

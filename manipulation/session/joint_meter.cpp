@@ -9,7 +9,7 @@ namespace hapticell::manipulation {
 void JointMeter::add(double t, const ManipulationEngine& engine) {
   const HeldEntity* held = engine.held();
   const workcell::Entity* entity = held ? engine.scene()->find(held->id()) : nullptr;
-  if (!entity || !entity->robot || entity->figure) {
+  if (!entity || !entity->robot() || entity->figure()) {
     id_ = 0;
     return;
   }
@@ -18,10 +18,10 @@ void JointMeter::add(double t, const ManipulationEngine& engine) {
   if (joints_.size() != now.size()) joints_.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
     JointUse& use = joints_[i];
-    const int joint = entity->robot->moving[i];
+    const int joint = entity->robot()->moving[i];
     if (use.joint < 0) {
       use = {joint, now[i], now[i], 0.0,
-             kinematics::greatestSpeed(entity->robot->joints[static_cast<std::size_t>(joint)])};
+             kinematics::greatestSpeed(entity->robot()->joints[static_cast<std::size_t>(joint)])};
     }
     use.lowest = std::min(use.lowest, now[i]);
     use.highest = std::max(use.highest, now[i]);

@@ -163,8 +163,8 @@ class WatchedEngine {
                         .expected = "the name of an entity or of a frame of one"});
     }
     auto taken = HeldEntity::take(engine_.sharedScene(), entity_, {},
-                                  {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
-                                   options_.force_class.value_or(entity->force_class)},
+                                  {options_.moved_by, options_.on_contact.value_or(entity->contact.on_contact),
+                                   options_.force_class.value_or(entity->contact.force_class)},
                                   options_.configuration);
     HAPTICELL_TRY(taken);
     const by::Tool* tool = toolOf(options_.moved_by);

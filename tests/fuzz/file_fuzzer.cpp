@@ -26,10 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const auto& entity : tree->entities) {
-    if (!entity.mesh) continue;
-    for (const auto& triangle : entity.mesh->triangles)
+    if (!entity.mesh()) continue;
+    for (const auto& triangle : entity.mesh()->triangles)
       for (const std::uint32_t index : triangle)
-        if (index >= entity.mesh->vertices.size()) std::abort();
+        if (index >= entity.mesh()->vertices.size()) std::abort();
   }
   return 0;
 }

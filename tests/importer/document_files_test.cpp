@@ -26,8 +26,8 @@ Entity solid(const std::string& name, const fs::path& file) {
   Entity entity;
   entity.name = name;
   entity.source.path = file.string();
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::TriangleMesh{
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});  // As in kObj.
+  entity.body = Solid{std::make_shared<const geometry::TriangleMesh>(geometry::TriangleMesh{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}})};  // As in kObj.
   return entity;
 }
 
@@ -37,7 +37,7 @@ class DocumentFiles : public ::testing::Test {
   void SetUp() override {
     Document document;
     Entity group;
-    group.kind = EntityKind::kAssembly;
+    group.body = Assembly{};
     group.name = "group";
     Entity b = solid("b", folder_.write("parts/b.obj", kObj));
     b.parent = "group";
@@ -59,7 +59,7 @@ TEST_F(DocumentFiles, WhatCannotBeReadIsKeptAndSavedAsItWas) {
   ASSERT_TRUE(document) << document.error().message();
   EXPECT_THAT(english(notes_.warnings.at(0)), HasSubstr("a.obj"));
   EXPECT_TRUE(document->findByName("a")->unloaded);
-  EXPECT_TRUE(document->findByName("b")->mesh);
+  EXPECT_TRUE(document->findByName("b")->mesh());
   EXPECT_EQ(documentText(document->state(), folder_.path()), text);
 }
 
@@ -102,7 +102,7 @@ TEST_F(DocumentFiles, WhatADeadRunLeftIsFoundUntilItIsDiscarded) {
   auto restored = loadDocument(left[0].copy, notes_);
   ASSERT_TRUE(restored) << restored.error().message();
   EXPECT_EQ(restored->findByName("a")->X_WE.p, dvec3(1, 2, 3));
-  EXPECT_NE(restored->findByName("b")->mesh, nullptr) << "its file is found from there";
+  EXPECT_NE(restored->findByName("b")->mesh(), nullptr) << "its file is found from there";
   EXPECT_EQ(findLeftWork().size(), 1u) << "looking changes nothing";
   discardLeftWork(left[0].run);
   EXPECT_TRUE(findLeftWork().empty());
@@ -128,7 +128,7 @@ TEST_F(DocumentFiles, RunsDoNotTouchEachOthersCopies) {
     EXPECT_EQ(findLeftWork().size(), 1u) << "the other one is still on offer";
     const auto restored = loadDocument(copyIn(*third.path()), notes_);
     ASSERT_TRUE(restored);
-    EXPECT_NE(restored->findByName("a")->mesh, nullptr);
+    EXPECT_NE(restored->findByName("a")->mesh(), nullptr);
     third.discardCopy();
   }
   EXPECT_EQ(findLeftWork().size(), 1u) << "a run that ends in order leaves nothing";
@@ -273,8 +273,8 @@ TEST_F(DocumentFiles, AnAssemblyCanBeHeldAsOneSolid) {
   ASSERT_TRUE(document);
   const DocumentState folded = withAssemblyAsSolid(document->state(), "group");
   ASSERT_EQ(folded.entities.size(), 2u);
-  EXPECT_EQ(folded.findByName("group")->kind, EntityKind::kSolid);
-  EXPECT_EQ(folded.findByName("group")->mesh->triangles.size(), 4u);
+  EXPECT_EQ(folded.findByName("group")->kind(), EntityKind::kSolid);
+  EXPECT_EQ(folded.findByName("group")->mesh()->triangles.size(), 4u);
   EXPECT_EQ(withAssemblyAsSolid(document->state(), "a").entities.size(), 3u);
 }
 

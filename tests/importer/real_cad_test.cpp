@@ -168,14 +168,14 @@ TEST(RealCad, ADocumentKeepsTheTreeAndMovesItAsOne) {
   ASSERT_NE(nut, nullptr);
   const Pose before = nut->X_WE;
   const Entity* root = document.findByName("as1");
-  ASSERT_EQ(root->kind, EntityKind::kAssembly);
+  ASSERT_EQ(root->kind(), EntityKind::kAssembly);
   ASSERT_TRUE(document.execute(SetPlacement{root->id, Pose::translation({1, 2, 3})}));
   EXPECT_NEAR(glm::distance(document.findByName("nut 3")->X_WE.p, before.p + dvec3(1, 2, 3)), 0.0, 1e-12);
   const std::string text = documentText(document.state(), fs::current_path());
   const auto again = parseDocument(text, fs::current_path(), "again", notes);
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_EQ(documentText(again->state(), fs::current_path()), text);
-  EXPECT_EQ(again->findByName("nut 3")->mesh, again->findByName("nut")->mesh);
+  EXPECT_EQ(again->findByName("nut 3")->mesh(), again->findByName("nut")->mesh());
   ASSERT_TRUE(document.execute(RemoveEntity{root->id}));
   EXPECT_TRUE(document.state().entities.empty());
   EXPECT_TRUE(document.undo());

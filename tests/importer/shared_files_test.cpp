@@ -62,11 +62,11 @@ TEST_P(SharedFile, IsWhatItsSourceStates) {
   std::size_t triangles = 0, parts = 0;
   std::set<std::array<float, 3>> colors;
   for (const auto& entity : tree->entities) {
-    if (!entity.mesh) continue;
+    if (!entity.mesh()) continue;
     ++parts;
-    triangles += entity.mesh->triangles.size();
+    triangles += entity.mesh()->triangles.size();
     colors.insert(entity.color);
-    for (const dvec3& p : entity.mesh->vertices) bounds.add(entity.X_WE * p);
+    for (const dvec3& p : entity.mesh()->vertices) bounds.add(entity.X_WE * p);
   }
   const bool cut = holdsScene(file);
   EXPECT_NEAR(static_cast<double>(triangles), static_cast<double>(stated.triangles),

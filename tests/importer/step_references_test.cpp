@@ -78,7 +78,7 @@ TEST(StepReferences, GoIntoThePack) {
   ASSERT_TRUE(again) << again.error().message();
   ASSERT_NE(again->findByName("pin 2"), nullptr);
   EXPECT_FALSE(again->findByName("pin 2")->unloaded);
-  EXPECT_EQ(again->findByName("pin")->mesh, again->findByName("pin 2")->mesh);
+  EXPECT_EQ(again->findByName("pin")->mesh(), again->findByName("pin 2")->mesh());
 }
 
 }  // namespace

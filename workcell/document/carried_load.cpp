@@ -21,19 +21,20 @@ struct Lump {
 
 std::vector<Pose> linkPoses(const Entity& robot) {
   std::vector<Pose> X_BL;
-  const bool posed = robot.joints.size() == robot.robot->dof();
-  kinematics::forwardKinematics(*robot.robot, posed ? robot.joints : kinematics::restPositions(*robot.robot), X_BL);
+  const bool posed = robot.joints().size() == robot.robot()->dof();
+  kinematics::forwardKinematics(*robot.robot(), posed ? robot.joints() : kinematics::restPositions(*robot.robot()),
+                                X_BL);
   return X_BL;
 }
 
 /// In the own frame of the entity; links count by volume, open ones by that of their bounds.
 dvec3 centreOf(const Entity& entity) {
-  if (entity.mesh) return geometry::massProperties(*entity.mesh).p_MC;
+  if (entity.mesh()) return geometry::massProperties(*entity.mesh()).p_MC;
   Lump lump;
-  if (!entity.robot) return {};
+  if (!entity.robot()) return {};
   const std::vector<Pose> X_BL = linkPoses(entity);
   for (std::size_t k = 0; k < X_BL.size(); ++k) {
-    for (const kinematics::LinkShape& shape : entity.robot->links[k].visuals) {
+    for (const kinematics::LinkShape& shape : entity.robot()->links[k].visuals) {
       const geometry::MassProperties solid = geometry::massProperties(*shape.mesh);
       const dvec3 size = shape.mesh->bounds().max - shape.mesh->bounds().min;
       lump.add(solid.closed ? std::abs(solid.volume) : size.x * size.y * size.z, X_BL[k] * shape.X_LS * solid.p_MC);
@@ -48,20 +49,20 @@ class LoadCollector {
 
   /// All that hangs on `carrier`, which stands at X_LE.
   void addFrom(const Entity& carrier, const Pose& X_LE) {
-    const std::vector<Pose> X_EK = carrier.robot ? linkPoses(carrier) : std::vector<Pose>{};
+    const std::vector<Pose> X_EK = carrier.robot() ? linkPoses(carrier) : std::vector<Pose>{};
     for (const auto& entity : state_.entities) {
       if (entity->attachment.to != carrier.name) continue;
-      const int link = carrier.robot ? carrier.robot->findLink(entity->attachment.link) : -1;
+      const int link = carrier.robot() ? carrier.robot()->findLink(entity->attachment.link) : -1;
       const Pose X_LK = link < 0 ? X_LE : X_LE * X_EK[static_cast<std::size_t>(link)];
       add(entity, X_LK * entity->attachment.X_LE);
     }
   }
 
   void add(const std::shared_ptr<const Entity>& part, const Pose& X_LE) {
-    if (part->kind != EntityKind::kFrame) load_.parts.push_back(part);  // It weighs nothing; what hangs on it does.
-    if (part->mesh || part->robot) {
-      if (part->mass == Entity{}.mass) load_.starting.push_back(part->name);
-      lump_.add(part->mass, X_LE * centreOf(*part));
+    if (part->kind() != EntityKind::kFrame) load_.parts.push_back(part);  // It weighs nothing; what hangs on it does.
+    if (part->mesh() || part->robot()) {
+      if (part->contact.mass == Entity{}.contact.mass) load_.starting.push_back(part->name);
+      lump_.add(part->contact.mass, X_LE * centreOf(*part));
     }
     addFrom(*part, X_LE);
   }
@@ -81,9 +82,9 @@ class LoadCollector {
 
 CarriedLoad carriedLoad(const DocumentState& state, const Entity& robot) {
   CarriedLoad load;
-  if (!robot.robot) return load;
-  const kinematics::RobotModel& model = *robot.robot;
-  const int said = model.findLink(robot.tip_link);
+  if (!robot.robot()) return load;
+  const kinematics::RobotModel& model = *robot.robot();
+  const int said = model.findLink(robot.jointed().tip_link);
   const int tip = said >= 0 ? said : model.defaultTip();
   if (tip < 0) return load;
   load.link = model.links[static_cast<std::size_t>(tip)].name;
@@ -96,7 +97,7 @@ CarriedLoad carriedLoad(const DocumentState& state, const Entity& robot) {
     const int link = model.findLink(entity->attachment.link);
     if (link >= 0 && bodies[static_cast<std::size_t>(link)] == bodies[static_cast<std::size_t>(tip)]) {
       collector.add(entity, X_LB * X_BK[static_cast<std::size_t>(link)] * entity->attachment.X_LE);
-    } else if (entity->kind != EntityKind::kFrame) {
+    } else if (entity->kind() != EntityKind::kFrame) {
       load.other.push_back(entity);
     }
   }
@@ -107,7 +108,7 @@ CarriedLoad carriedLoad(const DocumentState& state, const Entity& robot) {
 LoadVerdict verdictOn(const CarriedLoad& load, double payload) {
   if (load.parts.empty()) return LoadVerdict::kNothing;
   if (payload <= 0.0) return LoadVerdict::kOpen;
-  const double known = load.mass - static_cast<double>(load.starting.size()) * Entity{}.mass;
+  const double known = load.mass - static_cast<double>(load.starting.size()) * Entity{}.contact.mass;
   if (known > payload + 1e-9) return LoadVerdict::kTooHeavy;
   if (!load.starting.empty()) return LoadVerdict::kOpen;
   return LoadVerdict::kAllowed;

@@ -61,7 +61,7 @@ Expected<void> checkReach(const std::string& name, const dvec3& p_WE) {
 
 Expected<void> checkReach(const Entity& entity) {
   double reach = farthest(entity.X_WE.p);
-  const geometry::Bounds own = entity.mesh ? entity.mesh->bounds() : geometry::Bounds();
+  const geometry::Bounds own = entity.mesh() ? entity.mesh()->bounds() : geometry::Bounds();
   if (!own.isEmpty()) {
     const geometry::Bounds there = geometry::transformed(entity.X_WE, own);
     for (const dvec3& corner : {own.min, own.max, there.min, there.max}) reach = std::max(reach, farthest(corner));
@@ -75,7 +75,7 @@ Error taken(const std::string& name) {
 }
 
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
-  const std::size_t wanted = entity.robot ? entity.robot->dof() : 0;
+  const std::size_t wanted = entity.robot() ? entity.robot()->dof() : 0;
   if (joints.size() != wanted) {
     return makeError({.place = quotedName(entity.name),
                       .found = Text("%1 joint values", joints.size()),
@@ -91,21 +91,21 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
 }
 
 Expected<void> checkTool(const Entity& entity) {
-  if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
+  if (entity.robot() && !entity.jointed().tip_link.empty() && entity.robot()->findLink(entity.jointed().tip_link) < 0) {
     return makeError({.place = quotedName(entity.name),
-                      .found = Text("no link is named '%1'", entity.tip_link),
-                      .expected = Text("a link of robot '%1'", entity.robot->name)});
+                      .found = Text("no link is named '%1'", entity.jointed().tip_link),
+                      .expected = Text("a link of robot '%1'", entity.robot()->name)});
   }
-  return checkPose(Text("the tool of '%1'", entity.name), entity.X_LT);
+  return checkPose(Text("the tool of '%1'", entity.name), entity.jointed().X_LT);
 }
 
 Expected<void> checkTools(const Entity& entity) {
   std::vector<std::string> names;
-  for (const ToolFrame& tool : entity.tools) {
+  for (const ToolFrame& tool : entity.jointed().tools) {
     const Text place("'%1', tool '%2'", entity.name, tool.name);
     if (auto checked = checkName(Text("a tool of '%1'", entity.name), tool.name); !checked) return checked;
     if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
-    if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
+    if (!entity.robot() || entity.robot()->findLink(tool.tip_link) < 0) {
       return makeError(
           {.place = place, .found = Text("no link is named '%1'", tool.tip_link), .expected = "a link of the robot"});
     }
@@ -116,12 +116,8 @@ Expected<void> checkTools(const Entity& entity) {
 }
 
 Expected<void> checkNamedPoses(const Entity& entity) {
-  if (entity.named_poses.empty()) return {};
-  if (!entity.robot)
-    return makeError(
-        {.place = quotedName(entity.name), .found = "a solid", .expected = "a robot, which can have named poses"});
   std::set<std::string> names;
-  for (const kinematics::NamedPose& pose : entity.named_poses) {
+  for (const kinematics::NamedPose& pose : entity.jointed().named_poses) {
     if (auto checked = checkName(Text("a pose of '%1'", entity.name), pose.name); !checked) return checked;
     if (!names.insert(pose.name).second) return makeError(taken(pose.name));
     if (auto checked = checkJoints(entity, pose.q); !checked) return checked;
@@ -148,7 +144,7 @@ Expected<void> checkProperties(const Entity& entity) {
     return makeError({.place = quotedName(entity.name),
                       .found = "a colour out of range",
                       .expected = "red, green and blue from 0 to 1"});
-  if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
+  if (!(entity.contact.mass > 0.0) || !std::isfinite(entity.contact.mass)) {
     return makeError({.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
   }
   return {};
@@ -182,7 +178,7 @@ Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
     if (!entity)
       return makeError(
           {.place = "pair rule", .found = Text("no entity is named '%1'", *name), .expected = "an existing name"});
-    if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
+    if (part->empty() || (entity->robot() && entity->robot()->findLink(*part) >= 0)) continue;
     return makeError({.place = "pair rule",
                       .found = Text("no link is named '%1'", *part),
                       .expected = Text("a link of '%1'", *name)});

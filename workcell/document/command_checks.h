@@ -41,8 +41,7 @@ Expected<void> checkTool(const Entity& entity);
 /// Errors: tools on a link that does not exist, duplicate names, or an invalid pose.
 Expected<void> checkTools(const Entity& entity);
 
-/// Refused: poses with one name twice, or without a finite number for each joint; poses of an entity that is not a
-/// robot.
+/// Refused: poses with one name twice, or without a finite number for each joint.
 Expected<void> checkNamedPoses(const Entity& entity);
 
 /// Errors: frames with duplicate names or an invalid pose.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands on entities of every kind.
 #include <algorithm>
+#include <variant>
 
 #include "workcell/document/command_checks.h"
 #include "workcell/document/perform_command.h"
@@ -10,18 +11,29 @@ namespace hapticell::workcell {
 
 namespace {
 
+/// What its body must have and has not; empty: nothing.
+Text missingOf(const Entity& entity) {
+  switch (entity.kind()) {
+    case EntityKind::kSolid:
+      return entity.mesh() ? Text() : Text("a mesh");
+    case EntityKind::kRobot:
+    case EntityKind::kMechanism:
+    case EntityKind::kMannequin:
+      return entity.robot() ? Text() : Text("a robot");
+    case EntityKind::kAssembly:
+    case EntityKind::kFrame:
+      break;
+  }
+  return {};
+}
+
 Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   if (auto checked = checkName(Text("the entity's name"), entity.name); !checked) return checked;
-  const bool solid = entity.kind == EntityKind::kSolid;
-  const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
-  if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
-    return makeError({.place = quotedName(entity.name),
-                      .found = "it is empty",
-                      .expected = solid ? Text("a mesh") : Text("a robot")});
-  }
+  if (const Text missing = missingOf(entity); !missing.empty() && !entity.unloaded)
+    return makeError({.place = quotedName(entity.name), .found = "it is empty", .expected = missing});
   if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;
-  if (!entity.joints.empty()) {
-    if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
+  if (!entity.joints().empty()) {
+    if (auto checked = checkJoints(entity, entity.joints()); !checked) return checked;
   }
   if (auto checked = checkTools(entity); !checked) return checked;
   if (auto checked = checkNamedPoses(entity); !checked) return checked;
@@ -36,9 +48,9 @@ void setShared(const SetProperties& command, Entity& target) {
   if (command.visible) target.visible = *command.visible;
   if (command.locked) target.locked = *command.locked;
   if (command.checked) target.checked = *command.checked;
-  if (command.on_contact) target.on_contact = *command.on_contact;
-  if (command.force_class) target.force_class = *command.force_class;
-  if (command.material) target.material = *command.material;
+  if (command.on_contact) target.contact.on_contact = *command.on_contact;
+  if (command.force_class) target.contact.force_class = *command.force_class;
+  if (command.material) target.contact.material = *command.material;
 }
 
 /// The positions of `before` for another model, by the joints' names, within its limits; others at rest.
@@ -46,15 +58,40 @@ std::vector<double> jointsFor(const kinematics::RobotModel& model, const Entity&
   std::vector<double> q = kinematics::restPositions(model);
   for (std::size_t i = 0; i < model.moving.size(); ++i) {
     const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
-    for (std::size_t k = 0; before.robot && k < before.joints.size(); ++k) {
-      const int old = before.robot->moving[k];
-      if (before.robot->joints[static_cast<std::size_t>(old)].name == joint.name) {
-        q[i] = std::clamp(before.joints[k], joint.lower, joint.upper);
+    for (std::size_t k = 0; before.robot() && k < before.joints().size(); ++k) {
+      const int old = before.robot()->moving[k];
+      if (before.robot()->joints[static_cast<std::size_t>(old)].name == joint.name) {
+        q[i] = std::clamp(before.joints()[k], joint.lower, joint.upper);
       }
     }
   }
   return q;
 }
+
+/// Puts the shape of another entity of the same kind into a body. The tool and the poses stay where they fit.
+struct ShapeTaker {
+  const Entity& fresh;
+  const Entity& before;
+
+  void operator()(Solid& solid) const { solid = Solid{fresh.mesh()}; }
+  void operator()(Robot& robot) const { takeModel(robot); }
+  void operator()(Mannequin& mannequin) const {
+    mannequin.figure = fresh.figure();
+    takeModel(mannequin);
+  }
+  void operator()(Mechanism&) const {}  // Made from its definition.
+  void operator()(Assembly&) const {}
+  void operator()(CellFrame&) const {}
+
+  void takeModel(Jointed& jointed) const {
+    const kinematics::RobotModel& model = *fresh.robot();
+    jointed.model = fresh.robot();
+    jointed.joints = jointsFor(model, before);
+    jointed.named_poses = posesFor(model, before);
+    if (model.findLink(jointed.tip_link) < 0) jointed.tip_link = fresh.jointed().tip_link;
+    std::erase_if(jointed.tools, [&](const ToolFrame& tool) { return model.findLink(tool.tip_link) < 0; });
+  }
+};
 
 }  // namespace
 
@@ -67,7 +104,7 @@ Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit) {
   auto entity = std::make_shared<Entity>(added);
   entity->id = edit.newId();
   HAPTICELL_TRY(checkNew(*entity, edit.state()));
-  if (entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);
+  if (entity->robot() && entity->joints().empty()) entity->setJoints(kinematics::restPositions(*entity->robot()));
   edit.state().entities.push_back(std::move(entity));
   return edit.newId();
 }
@@ -127,7 +164,7 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   HAPTICELL_TRY(entity);
   const Entity& before = **entity;
   const bool fits =
-      before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
+      before.kind() == command.fresh.kind() && (command.fresh.mesh() || command.fresh.robot()) && !before.mechanism();
   if (!fits)
     return makeError({.place = quotedName(before.name),
                       .found = "another kind of entity",
@@ -135,33 +172,23 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   Entity changed = before;
   changed.source = command.fresh.source;
   changed.unloaded.reset();
-  changed.mesh = command.fresh.mesh;
-  changed.proxy = {};
-  if (command.fresh.figure) {
-    changed.figure = command.fresh.figure;
-    changed.mass = command.fresh.mass;
-  }
-  if (command.fresh.robot) {
-    changed.robot = command.fresh.robot;
-    changed.joints = jointsFor(*changed.robot, before);
-    changed.named_poses = before.robot ? posesFor(*changed.robot, before) : before.named_poses;
-    if (changed.robot->findLink(changed.tip_link) < 0) changed.tip_link = command.fresh.tip_link;
-    std::erase_if(changed.tools, [&](const ToolFrame& tool) { return changed.robot->findLink(tool.tip_link) < 0; });
-  }
+  if (command.fresh.figure()) changed.contact.mass = command.fresh.contact.mass;
+  std::visit(ShapeTaker{command.fresh, before}, changed.body);
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
 Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
-  if (!(*entity)->mesh)
+  if (!(*entity)->mesh())
     return makeError({.place = quotedName((*entity)->name), .found = "the mesh is missing", .expected = "a solid"});
   const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
   if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
     return makeError(
         {.place = quotedName((*entity)->name), .found = "no mesh for the collision check", .expected = "a mesh"});
   }
-  return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
+  return edit.change(command.id,
+                     [&](Entity& target) { target.editSolid().proxy = wanted ? command.proxy : CollisionProxy{}; });
 }
 
 Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit) {
@@ -175,7 +202,7 @@ Expected<EntityId> perform(const SetJoints& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   HAPTICELL_TRY(entity);
   HAPTICELL_TRY(checkJoints(**entity, command.joints));
-  return edit.move(command.id, [&](Entity& changed) { changed.joints = command.joints; });
+  return edit.move(command.id, [&](Entity& changed) { changed.setJoints(command.joints); });
 }
 
 Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
@@ -185,7 +212,7 @@ Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
   HAPTICELL_TRY(checkJoints(**entity, command.joints));
   return edit.moveFamily(**entity, [&](Entity& changed) {
     changed.X_WE = command.X_WE;
-    changed.joints = command.joints;
+    changed.setJoints(command.joints);
   });
 }
 
@@ -194,7 +221,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
   setShared(command, changed);
-  if (command.mass) changed.mass = *command.mass;
+  if (command.mass) changed.contact.mass = *command.mass;
   if (command.parent) changed.parent = *command.parent;
   HAPTICELL_TRY(checkProperties(changed));
   const std::vector<EntityId> family = familyOf(edit.state(), command.id);
@@ -205,7 +232,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
           {.place = quotedName(changed.name), .found = "an assembly inside itself", .expected = "another assembly"});
     }
   }
-  if (changed.kind == EntityKind::kAssembly) {
+  if (changed.kind() == EntityKind::kAssembly) {
     for (EntityId id : family) edit.change(id, [&](Entity& target) { setShared(command, target); });
   }
   return edit.change(command.id, [&](Entity& target) { target = changed; });

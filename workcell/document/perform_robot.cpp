@@ -9,7 +9,7 @@ namespace hapticell::workcell {
 
 namespace {
 
-void takeChosenTool(Entity& robot) {
+void takeChosenTool(Jointed& robot) {
   const auto chosen = std::find_if(robot.tools.begin(), robot.tools.end(),
                                    [&](const ToolFrame& tool) { return tool.name == robot.tool; });
   if (chosen == robot.tools.end()) {
@@ -23,9 +23,9 @@ void takeChosenTool(Entity& robot) {
 }  // namespace
 
 std::string tipOf(const Entity& robot) {
-  if (!robot.tip_link.empty()) return robot.tip_link;
-  const int tip = robot.robot->defaultTip();
-  return tip < 0 ? std::string{} : robot.robot->links[static_cast<std::size_t>(tip)].name;
+  if (!robot.jointed().tip_link.empty()) return robot.jointed().tip_link;
+  const int tip = robot.robot()->defaultTip();
+  return tip < 0 ? std::string{} : robot.robot()->links[static_cast<std::size_t>(tip)].name;
 }
 
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state) {
@@ -36,7 +36,8 @@ Expected<void> checkAttachment(const Entity& entity, const DocumentState& state)
     return makeError({.place = place,
                       .found = Text("no entity is named '%1'", entity.attachment.to),
                       .expected = "one that exists in the document"});
-  if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
+  if (!entity.attachment.link.empty() &&
+      (!carrier->robot() || carrier->robot()->findLink(entity.attachment.link) < 0)) {
     return makeError({.place = place,
                       .found = Text("no link is named '%1'", entity.attachment.link),
                       .expected = Text("a link of '%1'", carrier->name)});
@@ -48,12 +49,12 @@ Expected<EntityId> perform(const SetTool& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  changed.tip_link = command.tip_link;
-  changed.X_LT = command.X_LT;
-  changed.tool.clear();
-  if (!changed.robot)
+  if (!changed.robot())
     return makeError(
         {.place = quotedName(changed.name), .found = "a solid", .expected = "a robot, which can have a tool"});
+  changed.editJointed().tip_link = command.tip_link;
+  changed.editJointed().X_LT = command.X_LT;
+  changed.editJointed().tool.clear();
   HAPTICELL_TRY(checkTool(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -62,11 +63,11 @@ Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  if (!changed.robot)
+  if (!changed.robot())
     return makeError(
         {.place = quotedName(changed.name), .found = "a solid", .expected = "a robot, which can have tools"});
-  changed.tools = command.tools;
-  takeChosenTool(changed);
+  changed.editJointed().tools = command.tools;
+  takeChosenTool(changed.editJointed());
   HAPTICELL_TRY(checkTools(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -75,7 +76,10 @@ Expected<EntityId> perform(const SetNamedPoses& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  changed.named_poses = command.poses;
+  if (!changed.robot() && !command.poses.empty())
+    return makeError(
+        {.place = quotedName(changed.name), .found = "a solid", .expected = "a robot, which can have named poses"});
+  if (changed.robot()) changed.editJointed().named_poses = command.poses;
   HAPTICELL_TRY(checkNamedPoses(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -84,9 +88,11 @@ Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  changed.tool = command.name;
-  takeChosenTool(changed);
-  if (changed.tool != command.name) {
+  if (changed.robot()) {
+    changed.editJointed().tool = command.name;
+    takeChosenTool(changed.editJointed());
+  }
+  if (changed.jointed().tool != command.name) {
     return makeError({.place = quotedName(changed.name),
                       .found = Text("no tool is named '%1'", command.name),
                       .expected = "the name of one of its tools"});
@@ -105,7 +111,7 @@ Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
                       .expected = "another entity to attach it to"});
   }
   Attachment attachment{(*carrier)->name, command.link, {}};
-  if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);
+  if ((*carrier)->robot() && attachment.link.empty()) attachment.link = tipOf(**carrier);
   Entity changed = **entity;
   changed.attachment = std::move(attachment);
   HAPTICELL_TRY(checkAttachment(changed, edit.state()));

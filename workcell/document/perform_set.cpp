@@ -155,7 +155,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   }
   if (!command.task.mannequin.empty()) {
     const Entity* entity = edit.state().findByName(command.task.mannequin);
-    if (!entity || entity->kind != EntityKind::kMannequin)
+    if (!entity || entity->kind() != EntityKind::kMannequin)
       return makeError({.place = place,
                         .found = Text("no mannequin is named '%1'", command.task.mannequin),
                         .expected = "an existing name"});

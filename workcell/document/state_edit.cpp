@@ -59,7 +59,7 @@ void StateEdit::carryAll(EntityId id) {
 EntityId StateEdit::moveFamily(const Entity& entity, const Change& edit) {
   const EntityId id = entity.id;
   const Pose X_OldW = entity.X_WE.inverse();
-  const bool assembly = entity.kind == EntityKind::kAssembly;
+  const bool assembly = entity.kind() == EntityKind::kAssembly;
   move(id, edit);
   if (!assembly) return id;
   const Pose X_WNew_WOld = state_.find(id)->X_WE * X_OldW;

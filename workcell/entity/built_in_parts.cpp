@@ -315,7 +315,7 @@ Expected<Entity> makeBuiltInPart(const std::string& what, double scale) {
   if (mesh.triangles.empty()) return makeError(sizesRefused(what, words, *part));
   Entity entity;
   entity.name = part->scheme;
-  entity.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  entity.body = Solid{std::make_shared<const TriangleMesh>(std::move(mesh))};
   entity.color = part->color;
   entity.source = {what, scale};
   return entity;

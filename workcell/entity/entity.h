@@ -10,23 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/shapes/triangle_mesh.h"
-#include "kinematics/model/robot_model.h"
-#include "mannequin/body/figure.h"
+#include "workcell/entity/entity_body.h"
 #include "workcell/entity/import_options.h"
 #include "workcell/entity/scripted_motion.h"
 
 namespace hapticell::workcell {
 
-struct MechanismDefinition;
-
 /// Never reused within one document; 0 means none.
 using EntityId = std::uint64_t;
-
-/// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does the same to
-/// everything below it. A frame is a named place with axes: it has no shape, is never in contact and weighs nothing;
-/// attached to an entity or a link it moves with that, and entities attached to the frame move with it.
-enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly, kMannequin, kFrame };
 
 /// What happens to a moved entity that meets an obstacle.
 enum class OnContact { kStop, kSlide, kPass };
@@ -49,27 +40,11 @@ struct SourceFile {
   std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
 };
 
-/// The shape checked for contact instead of the drawn mesh of a solid: fewer triangles, or its hull.
-struct CollisionProxy {
-  enum class Kind { kNone, kCoarse, kConvex };
-  Kind kind = Kind::kNone;
-  double tolerance = 0.0;  ///< Metres asked for; kCoarse.
-  double deviation = 0.0;  ///< Metres measured: no point of either surface is farther from the other.
-  std::shared_ptr<const geometry::TriangleMesh> mesh;
-};
-
 /// A named frame F on an entity, to move it by or to take axes from (frame:NAME). Frames of the cell are entities of
-/// their own (EntityKind::kFrame).
+/// their own (CellFrame).
 struct Frame {
   std::string name;
   Pose X_EF;
-};
-
-/// A named tool of a robot: its centre point in a link.
-struct ToolFrame {
-  std::string name;
-  std::string tip_link;
-  Pose X_LT;
 };
 
 /// What an entity is attached to: a gripped part on a robot's link, a robot on a slide. It then moves with that link.
@@ -79,13 +54,18 @@ struct Attachment {
   Pose X_LE;         ///< Placement in that link (or in the solid).
 };
 
-/// One thing in the workcell: a solid, a robot, a frame or a mechanism (see workcell/entity/mechanism.h). A value;
-/// meshes and models are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses,
-/// draws and checks like one.
+/// What contacts of an entity do and how they feel.
+struct EntityContact {
+  OnContact on_contact = OnContact::kSlide;
+  ForceClass force_class = ForceClass::kContact;
+  std::string material = "steel";  ///< Key of the configuration's material table.
+  double mass = 1.0;               ///< kg, for the class kDynamics.
+};
+
+/// One thing in the workcell; what it is says its `body`. A value; meshes and models are shared and immutable.
 struct Entity {
   EntityId id = 0;
   std::string name;
-  EntityKind kind = EntityKind::kSolid;
   Pose X_WE;  ///< Placement: a solid's own origin, a robot's root link.
   /// Name of the assembly or solid that it is below, or of a mere folder where no entity is called so; empty at the
   /// top.
@@ -95,32 +75,56 @@ struct Entity {
   bool locked = false;  ///< Cannot be grabbed or moved.
   bool checked = true;  ///< Takes part in collision checks.
   SourceFile source;
-  /// The entity as its document has it, where its file could not be read: it is shown nowhere and saved as it was.
+  /// The entity as its document has it, where its file could not be read: it is shown nowhere and saved as it was. Its
+  /// body is then a Solid without a mesh, or an Assembly.
   std::shared_ptr<const std::string> unloaded;
-  std::shared_ptr<const geometry::TriangleMesh> mesh;    ///< Solids.
-  CollisionProxy proxy;                                  ///< Solids.
-  std::shared_ptr<const kinematics::RobotModel> robot;   ///< Robots.
-  std::shared_ptr<const mannequin::Figure> figure;       ///< Mannequins; they have a `robot` too (figure_model.h).
-  std::vector<double> joints;                            ///< Robots: position of each variable.
-  std::string tip_link;                                  ///< Robots: the link that carries the tool centre point.
-  Pose X_LT;                                             ///< Robots: the tool centre point in the tip link.
-  std::vector<ToolFrame> tools;                          ///< Robots: those to choose from; names unique.
-  std::string tool;                                      ///< Name of the chosen one of `tools`; empty: none of them.
-  std::vector<kinematics::NamedPose> named_poses;        ///< Robots: the user's; see named_poses.h.
-  std::shared_ptr<const MechanismDefinition> mechanism;  ///< Mechanisms: what `robot` was made from.
+  EntityBody body;
   Attachment attachment;
-  OnContact on_contact = OnContact::kSlide;
-  ForceClass force_class = ForceClass::kContact;
-  std::string material = "steel";        ///< Key of the configuration's material table.
-  double mass = 1.0;                     ///< kg, for the class kDynamics.
+  EntityContact contact;
   std::vector<Frame> frames;             ///< Names unique within the entity.
   std::optional<ScriptedMotion> motion;  ///< Its scripted motion during a session; none: it does not move.
+
+  /// Which of EntityBody's it is.
+  EntityKind kind() const { return static_cast<EntityKind>(body.index()); }
+
+  // Of the body. The references hold as long as the body is not assigned.
+
+  /// Null unless it is a solid with its shape.
+  const std::shared_ptr<const geometry::TriangleMesh>& mesh() const;
+  /// Of kind kNone unless it is a solid.
+  const CollisionProxy& proxy() const;
+  /// An empty one unless it is a robot, a mechanism or a mannequin.
+  const Jointed& jointed() const;
+  /// jointed().model.
+  const std::shared_ptr<const kinematics::RobotModel>& robot() const { return jointed().model; }
+  /// jointed().joints.
+  const std::vector<double>& joints() const { return jointed().joints; }
+  /// Null unless it is a mechanism.
+  const std::shared_ptr<const MechanismDefinition>& mechanism() const;
+  /// Null unless it is a mannequin.
+  const std::shared_ptr<const mannequin::Figure>& figure() const;
+
+  /// To change it. Of another entity than a solid: a broken contract.
+  Solid& editSolid();
+  /// To change it. Of another entity than a robot, a mechanism or a mannequin: a broken contract.
+  Jointed& editJointed();
+  /// Sets editJointed().joints; does nothing for another entity than a robot, a mechanism or a mannequin.
+  void setJoints(std::vector<double> joints);
 };
 
-/// The mesh that a solid is checked by: its proxy's where it has one, else its own.
+/// The mesh that a solid is checked by: its proxy's where it has one, else its own. Null unless it is a solid.
 inline const std::shared_ptr<const geometry::TriangleMesh>& checkedMesh(const Entity& entity) {
-  return entity.proxy.mesh ? entity.proxy.mesh : entity.mesh;
+  return entity.proxy().mesh ? entity.proxy().mesh : entity.mesh();
 }
+
+/// "solid", "robot", "mechanism", "assembly", "mannequin", "frame".
+const char* wordOf(EntityKind kind);
+
+/// Does it have a shape of its own? Assemblies and frames have none.
+bool hasShape(EntityKind kind);
+
+/// Is it a robot or a mechanism, and has it its model? A mannequin's joints are moved by its own rules.
+bool isMachine(const Entity& entity);
 
 /// A pair set as users know it: what of the first column is checked against what of the second.
 struct PairSet {

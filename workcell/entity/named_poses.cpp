@@ -15,9 +15,9 @@ const std::string& variableName(const kinematics::RobotModel& model, std::size_t
 
 std::vector<kinematics::NamedPose> namedPosesOf(const Entity& entity) {
   std::vector<kinematics::NamedPose> poses;
-  if (!entity.robot || entity.kind == EntityKind::kMannequin) return poses;
-  poses.push_back({"home", kinematics::restPositions(*entity.robot)});
-  for (const auto* list : {&entity.robot->named_poses, &entity.named_poses}) {
+  if (!isMachine(entity)) return poses;
+  poses.push_back({"home", kinematics::restPositions(*entity.robot())});
+  for (const auto* list : {&entity.robot()->named_poses, &entity.jointed().named_poses}) {
     for (const kinematics::NamedPose& pose : *list) {
       const auto known = std::find_if(poses.begin(), poses.end(), [&](const auto& p) { return p.name == pose.name; });
       known == poses.end() ? poses.push_back(pose) : void(known->q = pose.q);
@@ -35,11 +35,11 @@ std::vector<double> findNamedPose(const Entity& entity, const std::string& name)
 
 std::vector<kinematics::NamedPose> posesFor(const kinematics::RobotModel& model, const Entity& before) {
   std::vector<kinematics::NamedPose> poses;
-  for (const kinematics::NamedPose& pose : before.named_poses) {
+  for (const kinematics::NamedPose& pose : before.jointed().named_poses) {
     kinematics::NamedPose moved{pose.name, kinematics::restPositions(model)};
     for (std::size_t i = 0; i < model.moving.size(); ++i) {
       for (std::size_t k = 0; k < pose.q.size(); ++k) {
-        if (variableName(model, i) == variableName(*before.robot, k)) moved.q[i] = pose.q[k];
+        if (variableName(model, i) == variableName(*before.robot(), k)) moved.q[i] = pose.q[k];
       }
     }
     poses.push_back(std::move(moved));

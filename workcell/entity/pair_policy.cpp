@@ -43,7 +43,7 @@ class Tree {
 /// children.
 std::set<std::string_view> familyNames(std::span<const Entity> entities, const Entity& top) {
   std::set<std::string_view> family;
-  if (top.kind != EntityKind::kAssembly) return family;
+  if (top.kind() != EntityKind::kAssembly) return family;
   family.insert(top.name);
   std::unordered_map<std::string_view, std::vector<std::string_view>> below;
   for (const Entity& entity : entities) {
@@ -74,7 +74,7 @@ std::optional<EffectivePair> pairOf(const Entity& moved, const Names& moved_name
   std::optional<EffectivePair> pair;
   for (const PairSet& set : sets) {
     if (!set.enabled || !joins(set, moved_names, other_names)) continue;
-    if (!pair) pair = EffectivePair{moved.id, other.id, 0.0, 0.0, moved.on_contact};
+    if (!pair) pair = EffectivePair{moved.id, other.id, 0.0, 0.0, moved.contact.on_contact};
     pair->safety_distance = std::max(pair->safety_distance, set.safety_distance);
     pair->near_miss = std::max(pair->near_miss, set.near_miss);
     if (set.on_contact) pair->on_contact = *set.on_contact;
@@ -131,8 +131,8 @@ RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, in
   const Entity* at = &entity;
   for (std::size_t steps = 0; steps <= entities.size(); ++steps) {
     int base = 0;
-    if (at->robot) {
-      const std::vector<int> bodies = kinematics::rigidBodies(*at->robot);
+    if (at->robot()) {
+      const std::vector<int> bodies = kinematics::rigidBodies(*at->robot());
       link = bodies[static_cast<std::size_t>(std::max(0, link))];
       base = bodies.front();
     } else {
@@ -142,7 +142,7 @@ RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, in
     const auto carrier =
         std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.name == at->attachment.to; });
     if (carrier == entities.end()) break;
-    link = carrier->robot ? carrier->robot->findLink(at->attachment.link) : -1;
+    link = carrier->robot() ? carrier->robot()->findLink(at->attachment.link) : -1;
     at = &*carrier;
   }
   return {at->id, link};
@@ -152,17 +152,17 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
                                           EntityId moved, const PairDefaults& defaults) {
   std::vector<EffectivePair> pairs;
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
-  if (held == entities.end() || !held->checked || held->kind == EntityKind::kFrame) return pairs;
+  if (held == entities.end() || !held->checked || held->kind() == EntityKind::kFrame) return pairs;
   const Tree tree(entities);
   const Names held_names = tree.namesOf(*held);
   const std::set<std::string_view> family = familyNames(entities, *held);
   for (const Entity& other : entities) {
     if (other.id == moved || !other.checked) continue;
-    if (other.kind == EntityKind::kFrame) continue;
-    if (other.kind == EntityKind::kAssembly && !other.mesh) continue;  // It has no shape: its parts are there.
+    if (other.kind() == EntityKind::kFrame) continue;
+    if (other.kind() == EntityKind::kAssembly && !other.mesh()) continue;  // It has no shape: its parts are there.
     if (family.contains(other.parent)) continue;                       // It goes along with the held assembly.
     if (sets.empty()) {
-      pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->on_contact});
+      pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->contact.on_contact});
     } else if (const auto pair = pairOf(*held, held_names, other, tree.namesOf(other), sets)) {
       pairs.push_back(*pair);
     }

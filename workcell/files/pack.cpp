@@ -46,10 +46,10 @@ DocumentState placedIn(const fs::path& folder, DocumentState state) {
   for (auto& entity : state.entities) {
     auto placed = std::make_shared<Entity>(*entity);
     placed->source.path = inFolder(placed->source.path, folder);
-    if (placed->mechanism) {
-      auto definition = std::make_shared<MechanismDefinition>(*placed->mechanism);
+    if (placed->mechanism()) {
+      auto definition = std::make_shared<MechanismDefinition>(*placed->mechanism());
       for (MechanismPart& part : definition->parts) part.source.path = inFolder(part.source.path, folder);
-      placed->mechanism = std::move(definition);
+      std::get<Mechanism>(placed->body).definition = std::move(definition);
     }
     entity = std::move(placed);
   }

@@ -65,11 +65,11 @@ Expected<void> compareMeshes(const Text& who, const MeshPointer& packed, const M
 }
 
 Expected<void> compareLinks(const Entity& packed, const Entity& read) {
-  const auto& was = packed.robot->links;
-  const auto& is = read.robot->links;
-  if (was.size() != is.size() || packed.joints.size() != read.joints.size()) {
-    return makeError(differs(entityNamed(packed.name), Text("%1 links, %2 joints", is.size(), read.joints.size()),
-                             Text("%1 and %2", was.size(), packed.joints.size())));
+  const auto& was = packed.robot()->links;
+  const auto& is = read.robot()->links;
+  if (was.size() != is.size() || packed.joints().size() != read.joints().size()) {
+    return makeError(differs(entityNamed(packed.name), Text("%1 links, %2 joints", is.size(), read.joints().size()),
+                             Text("%1 and %2", was.size(), packed.joints().size())));
   }
   for (std::size_t i = 0; i < was.size(); ++i) {
     const Text who("entity '%1', link '%2'", packed.name, was[i].name);
@@ -98,10 +98,10 @@ Expected<void> compareEntities(const DocumentState& packed, const DocumentState&
     if (!again) return makeError(differs(who, Text("it is missing"), Text("everything that was packed")));
     if (entity->unloaded) continue;
     if (again->unloaded) return makeError(differs(who, whyUnloaded(*again, unloaded), Text("a complete file")));
-    if (entity->kind != again->kind || !entity->robot != !again->robot)
+    if (entity->kind() != again->kind() || !entity->robot() != !again->robot())
       return makeError(differs(who, Text("another kind of entity"), Text("what was packed")));
-    if (auto same = compareMeshes(who, entity->mesh, again->mesh); !same) return same;
-    if (!entity->robot) continue;
+    if (auto same = compareMeshes(who, entity->mesh(), again->mesh()); !same) return same;
+    if (!entity->robot()) continue;
     if (auto same = compareLinks(*entity, *again); !same) return same;
   }
   for (const EntityChange& change : compareStates(packed, read)) {
@@ -150,12 +150,12 @@ Expected<void> checkPlaces(const DocumentState& read, const fs::path& pack) {
     if (entity->unloaded) continue;
     const Text who = entityNamed(entity->name);
     if (auto inside = checkPlace(who, entity->source.path, pack); !inside) return inside;
-    if (entity->mechanism) {
-      for (const MechanismPart& part : entity->mechanism->parts) {
+    if (entity->mechanism()) {
+      for (const MechanismPart& part : entity->mechanism()->parts) {
         if (auto inside = checkPlace(who, part.source.path, pack); !inside) return inside;
       }
-    } else if (entity->robot && !isBuiltIn(entity->source.path)) {
-      if (auto inside = checkShapes(who, *entity->robot, pack); !inside) return inside;
+    } else if (entity->robot() && !isBuiltIn(entity->source.path)) {
+      if (auto inside = checkShapes(who, *entity->robot(), pack); !inside) return inside;
     }
   }
   for (const TrajectoryReference& trajectory : read.trajectories) {

@@ -241,29 +241,29 @@ Expected<void> Planner::takeSource(SourceFile& source, const Text& who, bool was
 }
 
 Expected<void> Planner::takeEntity(std::shared_ptr<const Entity>& entity) {
-  if (entity->kind == EntityKind::kAssembly) return {};  // When the others have been.
+  if (entity->kind() == EntityKind::kAssembly) return {};  // When the others have been.
   if (entity->unloaded) {
     diagnostics_.warn(Text("entity '%1' is packed without its file, because the file could not be read", entity->name));
     return {};
   }
   auto packed = std::make_shared<Entity>(*entity);
   const Text who("entity '%1'", entity->name);
-  const bool was_read = entity->mesh || (entity->robot && !entity->mechanism);
+  const bool was_read = entity->mesh() || (entity->robot() && !entity->mechanism());
   if (auto taken = takeSource(packed->source, who, was_read); !taken) return taken;
-  if (entity->mechanism) {
-    auto definition = std::make_shared<MechanismDefinition>(*entity->mechanism);
+  if (entity->mechanism()) {
+    auto definition = std::make_shared<MechanismDefinition>(*entity->mechanism());
     for (MechanismPart& part : definition->parts) {
       if (auto taken = takeSource(part.source, Text("%1, part '%2'", who, part.name), part.mesh != nullptr); !taken)
         return taken;
     }
-    packed->mechanism = std::move(definition);
+    std::get<Mechanism>(packed->body).definition = std::move(definition);
   }
   entity = std::move(packed);
   return {};
 }
 
 Expected<void> Planner::takeAssembly(std::shared_ptr<const Entity>& entity) {
-  if (entity->kind != EntityKind::kAssembly || entity->unloaded) return {};
+  if (entity->kind() != EntityKind::kAssembly || entity->unloaded) return {};
   auto packed = std::make_shared<Entity>(*entity);
   if (auto taken = takeSource(packed->source, Text("assembly '%1'", entity->name), false); !taken) return taken;
   entity = std::move(packed);

@@ -34,7 +34,7 @@ class SceneCollector {
   ImportedScene collect() {
     scene_.unit_is_stated = true;
     for (const auto& entity : state_.entities)
-      if (entity->kind != EntityKind::kFrame) nodeOf(*entity, 0);  // But for those that others stand below.
+      if (entity->kind() != EntityKind::kFrame) nodeOf(*entity, 0);  // But for those that others stand below.
     return std::move(scene_);
   }
 
@@ -47,14 +47,14 @@ class SceneCollector {
     node.name = entity.name;
     node.parent = parent;
     node.X_PN = parent < 0 ? entity.X_WE : X_W_[static_cast<std::size_t>(parent)].inverse() * entity.X_WE;
-    if (entity.mesh) {
-      node.mesh = meshOf(entity.mesh);
+    if (entity.mesh()) {
+      node.mesh = meshOf(entity.mesh());
       node.color = entity.color;
       node.origin = originOf(entity);
     }
     const int index = add(std::move(node), entity.X_WE);
     nodes_[entity.id] = index;
-    if (entity.robot) addLinks(entity, index);
+    if (entity.robot()) addLinks(entity, index);
     return index;
   }
 
@@ -84,8 +84,8 @@ class SceneCollector {
   }
 
   void addLinks(const Entity& entity, int parent) {
-    std::vector<double> q = entity.joints;
-    const kinematics::RobotModel& robot = *entity.robot;
+    std::vector<double> q = entity.joints();
+    const kinematics::RobotModel& robot = *entity.robot();
     for (std::size_t k = q.size(); k < robot.dof(); ++k) {
       const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[k])];
       q.push_back(std::min(std::max(0.0, joint.lower), joint.upper));
@@ -226,7 +226,7 @@ Expected<void> exportState(const DocumentState& state, const fs::path& file, con
   if (lowerExtension(file) != ".urdf") return exportScene(sceneOf(state), file, options, diagnostics);
   const Entity* robot = nullptr;
   for (const auto& entity : state.entities) {
-    if (!entity->robot) continue;
+    if (!entity->robot()) continue;
     if (robot) {
       return makeError({.file = file.string(),
                         .found = Text("more than one robot ('%1', '%2')", robot->name, entity->name),

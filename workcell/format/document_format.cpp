@@ -196,7 +196,7 @@ class StateReader {
     if (const Json* source = fields.object("source")) sources_.read(*source, place, head.source);
     if (error_) return;
     if (assembly) {
-      head.kind = EntityKind::kAssembly;
+      head.body = Assembly{};
       if (!head.source.path.empty()) head.source.path = (folder_ / head.source.path).lexically_normal().string();
       if (head.source.scale == 0.0) head.source.scale = 1.0;
       return addEntity(fields, place, std::move(head));
@@ -206,8 +206,8 @@ class StateReader {
     if (!loaded && options_.keep_unloaded) return keepUnloaded(json, fields, place, head, loaded.error());
     if (!loaded) return context_.failIn(place, loaded.error());
     loaded->name = head.name;
-    if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
-      const std::string& is = entityKindWords()[static_cast<std::size_t>(loaded->kind)];
+    if (kind >= 0 && kind != static_cast<int>(loaded->kind())) {
+      const std::string& is = entityKindWords()[static_cast<std::size_t>(loaded->kind())];
       return fields.fail("kind", entityKindWords()[static_cast<std::size_t>(kind)], Text("%1, like its file", is));
     }
     addEntity(fields, place, std::move(*loaded));
@@ -284,7 +284,7 @@ class StateReader {
         }
       }
       const bool link_there = carrier && (carrier->unloaded || attachment.link.empty() ||
-                                          (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
+                                          (carrier->robot() && carrier->robot()->findLink(attachment.link) >= 0));
       if (!link_there) {
         error_ = Error{.place = place,
                        .found = carrier ? Text("it is attached to '%1', link '%2', which does not exist", attachment.to,

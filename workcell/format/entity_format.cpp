@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "workcell/format/mechanism_format.h"
 #include "workcell/format/motion_format.h"
@@ -34,10 +35,10 @@ void readProxy(const Json& json, const Text& place, const FormatContext& context
   fields.read("tolerance", tolerance);
   if (context.error) return;
   fields.warnAboutOthers(context.diagnostics);
-  if (!entity.mesh) return;
-  auto proxy = makeProxy(*entity.mesh, static_cast<CollisionProxy::Kind>(kind), tolerance);
+  if (!entity.mesh()) return;
+  auto proxy = makeProxy(*entity.mesh(), static_cast<CollisionProxy::Kind>(kind), tolerance);
   if (proxy) {
-    entity.proxy = std::move(*proxy);
+    entity.editSolid().proxy = std::move(*proxy);
   } else {
     context.failIn(Text("%1, \"%2\"", place, "proxy"), proxy.error());
   }
@@ -67,7 +68,12 @@ void readFrames(const Json& frames, const Text& place, const FormatContext& cont
 }  // namespace
 
 const std::vector<std::string>& entityKindWords() {
-  static const std::vector<std::string> words = {"solid", "robot", "mechanism", "assembly", "mannequin", "frame"};
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all;
+    for (std::size_t k = 0; k < std::variant_size_v<EntityBody>; ++k)
+      all.emplace_back(wordOf(static_cast<EntityKind>(k)));
+    return all;
+  }();
   return words;
 }
 
@@ -75,7 +81,7 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   if (entity.unloaded) return jsonFromUnloaded(entity);
   Json json;
   json["name"] = entity.name;
-  json["kind"] = entityKindWords()[static_cast<std::size_t>(entity.kind)];
+  json["kind"] = wordOf(entity.kind());
   if (!entity.source.path.empty()) json["source"] = jsonFromSource(entity.source, folder);
   json["placement"] = toJson(entity.X_WE);
   json["parent"] = entity.parent;
@@ -83,10 +89,10 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   json["visible"] = entity.visible;
   json["locked"] = entity.locked;
   json["checked"] = entity.checked;
-  json["on_contact"] = wordOf(entity.on_contact);
-  json["force_class"] = wordOf(entity.force_class);
-  json["material"] = entity.material;
-  json["mass"] = entity.mass;
+  json["on_contact"] = wordOf(entity.contact.on_contact);
+  json["force_class"] = wordOf(entity.contact.force_class);
+  json["material"] = entity.contact.material;
+  json["mass"] = entity.contact.mass;
   json["frames"] = Json::array();
   for (const Frame& frame : entity.frames) {
     json["frames"].push_back({{"name", frame.name}, {"placement", toJson(frame.X_EF)}});
@@ -97,13 +103,14 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
     json["attached"] = {
         {"to", entity.attachment.to}, {"link", entity.attachment.link}, {"placement", toJson(entity.attachment.X_LE)}};
   }
-  if (entity.proxy.kind != CollisionProxy::Kind::kNone) json["proxy"] = jsonFromProxy(entity.proxy);
-  if (entity.mechanism) json["mechanism"] = jsonFromMechanism(*entity.mechanism, folder);
+  if (entity.proxy().kind != CollisionProxy::Kind::kNone) json["proxy"] = jsonFromProxy(entity.proxy());
+  if (entity.mechanism()) json["mechanism"] = jsonFromMechanism(*entity.mechanism(), folder);
   return json;
 }
 
 void readEntityFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity) {
-  int on_contact = static_cast<int>(entity.on_contact), force_class = static_cast<int>(entity.force_class);
+  int on_contact = static_cast<int>(entity.contact.on_contact),
+      force_class = static_cast<int>(entity.contact.force_class);
   std::vector<double> color;
   fields.read("placement", entity.X_WE);
   fields.read("parent", entity.parent);
@@ -115,10 +122,10 @@ void readEntityFields(FieldReader& fields, const Text& place, const FormatContex
   fields.read("checked", entity.checked);
   fields.readWord("on_contact", kOnContactWords, on_contact);
   fields.readWord("force_class", kForceClassWords, force_class);
-  fields.read("material", entity.material);
-  fields.read("mass", entity.mass);
-  entity.on_contact = static_cast<OnContact>(on_contact);
-  entity.force_class = static_cast<ForceClass>(force_class);
+  fields.read("material", entity.contact.material);
+  fields.read("mass", entity.contact.mass);
+  entity.contact.on_contact = static_cast<OnContact>(on_contact);
+  entity.contact.force_class = static_cast<ForceClass>(force_class);
   if (const Json* frames = fields.array("frames")) readFrames(*frames, place, context, entity);
   if (const Json* motion = fields.object("motion")) {
     entity.motion = motionFromJson(*motion, place, context.error, context.diagnostics);

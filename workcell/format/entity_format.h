@@ -9,7 +9,7 @@
 
 namespace hapticell::workcell {
 
-/// "solid", "robot" ...: as EntityKind.
+/// "solid", "robot" ...: wordOf() each EntityKind, in its order.
 const std::vector<std::string>& entityKindWords();
 
 /// As OnContact: what "on_contact" says in files.

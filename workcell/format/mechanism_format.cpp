@@ -51,8 +51,8 @@ void readPart(const Json& json, const Text& place, const FormatContext& context,
   fields.warnAboutOthers(context.diagnostics);
   Expected<Entity> loaded = context.loader.loadSource(part.source, context.diagnostics);
   if (!loaded) return context.failIn(place, loaded.error());
-  if (!loaded->mesh) return fields.fail("source", Text("a robot"), Text("a solid"));
-  part.mesh = loaded->mesh;
+  if (!loaded->mesh()) return fields.fail("source", Text("a robot"), Text("a solid"));
+  part.mesh = loaded->mesh();
   part.source = loaded->source;
   definition.parts.push_back(std::move(part));
 }
@@ -122,9 +122,7 @@ Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, co
   auto model = buildMechanism(name, *definition);
   HAPTICELL_TRY(model);
   Entity entity;
-  entity.kind = EntityKind::kMechanism;
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
-  entity.mechanism = std::move(definition);
+  entity.body = Mechanism{{std::make_shared<const kinematics::RobotModel>(std::move(*model))}, std::move(definition)};
   return entity;
 }
 

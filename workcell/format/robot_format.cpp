@@ -9,15 +9,15 @@ namespace {
 
 Json jsonFromJoints(const Entity& entity) {
   Json joints = Json::object();
-  for (std::size_t k = 0; k < entity.joints.size(); ++k) {
-    joints[entity.robot->joints[static_cast<std::size_t>(entity.robot->moving[k])].name] = entity.joints[k];
+  for (std::size_t k = 0; k < entity.joints().size(); ++k) {
+    joints[entity.robot()->joints[static_cast<std::size_t>(entity.robot()->moving[k])].name] = entity.joints()[k];
   }
   return joints;
 }
 
 Json jsonFromTools(const Entity& entity) {
   Json tools = Json::array();
-  for (const ToolFrame& tool : entity.tools) {
+  for (const ToolFrame& tool : entity.jointed().tools) {
     tools.push_back({{"name", tool.name}, {"tip_link", tool.tip_link}, {"placement", toJson(tool.X_LT)}});
   }
   return tools;
@@ -25,10 +25,10 @@ Json jsonFromTools(const Entity& entity) {
 
 Json jsonFromPoses(const Entity& entity) {
   Json poses = Json::array();
-  for (const kinematics::NamedPose& pose : entity.named_poses) {
+  for (const kinematics::NamedPose& pose : entity.jointed().named_poses) {
     Json joints = Json::object();
     for (std::size_t i = 0; i < pose.q.size(); ++i) {
-      joints[entity.robot->joints[static_cast<std::size_t>(entity.robot->moving[i])].name] = pose.q[i];
+      joints[entity.robot()->joints[static_cast<std::size_t>(entity.robot()->moving[i])].name] = pose.q[i];
     }
     poses.push_back({{"name", pose.name}, {"joints", joints}});
   }
@@ -50,52 +50,54 @@ std::vector<double> readJoints(const Json& json, const Text& place, const Format
 void readTools(const Json& tools, const Text& place, const FormatContext& context, Entity& entity) {
   for (const Json& json : tools) {
     ToolFrame tool;
-    FieldReader fields(json, Text("%1, tool %2", place, entity.tools.size() + 1), context.error);
+    FieldReader fields(json, Text("%1, tool %2", place, entity.jointed().tools.size() + 1), context.error);
     fields.require("name");
     fields.read("name", tool.name);
     fields.read("tip_link", tool.tip_link);
     fields.read("placement", tool.X_LT);
     if (!context.error) fields.warnAboutOthers(context.diagnostics);
-    entity.tools.push_back(std::move(tool));
+    entity.editJointed().tools.push_back(std::move(tool));
   }
 }
 
 void readPoses(const Json& poses, const Text& place, const FormatContext& context, Entity& entity) {
   for (const Json& json : poses) {
     kinematics::NamedPose pose;
-    const Text here = Text("%1, pose %2", place, entity.named_poses.size() + 1);
+    const Text here = Text("%1, pose %2", place, entity.jointed().named_poses.size() + 1);
     FieldReader fields(json, here, context.error);
     fields.require("name");
     fields.read("name", pose.name);
     const Json* joints = fields.object("joints");
-    pose.q = joints ? readJoints(*joints, here, context, *entity.robot, {}) : kinematics::restPositions(*entity.robot);
+    pose.q =
+        joints ? readJoints(*joints, here, context, *entity.robot(), {}) : kinematics::restPositions(*entity.robot());
     if (!context.error) fields.warnAboutOthers(context.diagnostics);
-    entity.named_poses.push_back(std::move(pose));
+    entity.editJointed().named_poses.push_back(std::move(pose));
   }
 }
 
 }  // namespace
 
 void addRobotFields(const Entity& entity, Json& json) {
-  if (entity.robot) {
+  if (entity.robot()) {
     json["joints"] = jsonFromJoints(entity);
-    json["tip_link"] = entity.tip_link;
-    json["tool"] = toJson(entity.X_LT);
+    json["tip_link"] = entity.jointed().tip_link;
+    json["tool"] = toJson(entity.jointed().X_LT);
   }
-  if (!entity.tools.empty()) json["tools"] = jsonFromTools(entity);
-  if (!entity.tool.empty()) json["chosen_tool"] = entity.tool;
-  if (!entity.named_poses.empty()) json["poses"] = jsonFromPoses(entity);
+  if (!entity.jointed().tools.empty()) json["tools"] = jsonFromTools(entity);
+  if (!entity.jointed().tool.empty()) json["chosen_tool"] = entity.jointed().tool;
+  if (!entity.jointed().named_poses.empty()) json["poses"] = jsonFromPoses(entity);
 }
 
 void readRobotFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity) {
-  if (!entity.robot) return;
+  if (!entity.robot()) return;
   if (const Json* tools = fields.array("tools")) readTools(*tools, place, context, entity);
   if (const Json* poses = fields.array("poses")) readPoses(*poses, place, context, entity);
-  fields.read("chosen_tool", entity.tool);
-  fields.read("tip_link", entity.tip_link);
-  fields.read("tool", entity.X_LT);
+  Jointed& robot = entity.editJointed();
+  fields.read("chosen_tool", robot.tool);
+  fields.read("tip_link", robot.tip_link);
+  fields.read("tool", robot.X_LT);
   if (const Json* joints = fields.object("joints")) {
-    entity.joints = readJoints(*joints, place, context, *entity.robot, std::exchange(entity.joints, {}));
+    robot.joints = readJoints(*joints, place, context, *robot.model, robot.joints);
   }
 }
 

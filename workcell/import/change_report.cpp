@@ -21,31 +21,13 @@ std::string number(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-const char* kindWord(EntityKind kind) {
-  switch (kind) {
-    case EntityKind::kSolid:
-      return "solid";
-    case EntityKind::kRobot:
-      return "robot";
-    case EntityKind::kAssembly:
-      return "assembly";
-    case EntityKind::kMannequin:
-      return "mannequin";
-    case EntityKind::kFrame:
-      return "frame";
-    case EntityKind::kMechanism:
-      break;
-  }
-  return "mechanism";
-}
-
 std::string changedJoints(const Entity& before, const Entity& after) {
   std::string text;
-  if (!after.robot || before.joints.size() != after.joints.size()) return text;
-  for (std::size_t k = 0; k < after.joints.size(); ++k) {
-    if (std::abs(after.joints[k] - before.joints[k]) <= kSame) continue;
-    const std::string& name = after.robot->joints[static_cast<std::size_t>(after.robot->moving[k])].name;
-    text += (text.empty() ? "" : "; ") + name + " " + number(before.joints[k]) + " -> " + number(after.joints[k]);
+  if (!after.robot() || before.joints().size() != after.joints().size()) return text;
+  for (std::size_t k = 0; k < after.joints().size(); ++k) {
+    if (std::abs(after.joints()[k] - before.joints()[k]) <= kSame) continue;
+    const std::string& name = after.robot()->joints[static_cast<std::size_t>(after.robot()->moving[k])].name;
+    text += (text.empty() ? "" : "; ") + name + " " + number(before.joints()[k]) + " -> " + number(after.joints()[k]);
   }
   return text;
 }
@@ -54,7 +36,7 @@ EntityChange compare(const Entity* before, const Entity* after) {
   EntityChange change;
   const Entity& known = after ? *after : *before;
   change.name = known.name;
-  change.entity_kind = kindWord(known.kind);
+  change.entity_kind = wordOf(known.kind());
   if (before) change.X_WBefore = before->X_WE;
   if (after) change.X_WAfter = after->X_WE;
   if (!before || !after) {
@@ -107,7 +89,7 @@ Expected<DocumentState> stateAtImport(const DocumentState& state, ImportMonitor*
   for (auto& entity : before.entities) {
     auto changed = std::make_shared<Entity>(*entity);
     changed->X_WE = {};
-    if (changed->robot) changed->joints = kinematics::restPositions(*changed->robot);
+    if (changed->robot()) changed->setJoints(kinematics::restPositions(*changed->robot()));
     const SourceFile& source = changed->source;
     if (!source.part.empty()) {
       const auto [tree, is_new] = trees.try_emplace(source.path);

@@ -61,13 +61,11 @@ Expected<Entity> loadFreeHand(const std::string& what) {
   const auto model =
       mannequin::freeHandModel(*figure, side == "left" ? mannequin::Side::kLeft : mannequin::Side::kRight);
   Entity entity;
-  entity.kind = EntityKind::kRobot;
-  entity.robot = model;
-  entity.joints.assign(model->dof(), 0.0);
+  entity.body =
+      Robot{{.model = model, .joints = std::vector<double>(model->dof(), 0.0), .tip_link = model->links.front().name}};
   entity.name = side + " hand";
   entity.source = {what, 1.0};
-  entity.tip_link = model->links.front().name;
-  entity.mass = 0.4;
+  entity.contact.mass = 0.4;
   return entity;
 }
 
@@ -86,7 +84,7 @@ Expected<Entity> loadFrame(const std::string& what) {
 
 Entity makeFrame(std::string name, const Pose& X_WE) {
   Entity entity;
-  entity.kind = EntityKind::kFrame;
+  entity.body = CellFrame{};
   entity.name = std::move(name);
   entity.source = {"frame:", 1.0};
   entity.X_WE = X_WE;
@@ -104,12 +102,12 @@ Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagn
 
 Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics& diagnostics) {
   Expected<Entity> entity = loadShapeOf(source, diagnostics);
-  if (!entity || !entity->mesh || (!source.oriented && source.simplified == 0.0)) return entity;
+  if (!entity || !entity->mesh() || (!source.oriented && source.simplified == 0.0)) return entity;
   entity->source.oriented = source.oriented;
   entity->source.simplified = source.simplified;
-  auto& cared = cared_meshes_[{entity->mesh, {source.oriented, source.simplified}}];
+  auto& cared = cared_meshes_[{entity->mesh(), {source.oriented, source.simplified}}];
   if (!cared) {
-    geometry::TriangleMesh mesh = *entity->mesh;
+    geometry::TriangleMesh mesh = *entity->mesh();
     if (source.oriented) orient(mesh);
     if (source.simplified > 0.0) {
       Expected<MadeMesh> made = simplify(mesh, source.simplified);
@@ -118,7 +116,7 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
     }
     cared = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
   }
-  entity->mesh = cared;
+  entity->body = Solid{cared};
   return entity;
 }
 
@@ -165,11 +163,11 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   HAPTICELL_TRY(entity);
   ImportResult result;
   const std::optional<RobotFormat> format = robotFormatOf(file);
-  result.report.format = entity->robot ? "library" : "shape";
+  result.report.format = entity->robot() ? "library" : "shape";
   if (format) result.report.format = formatName(*format);
   result.report.parts = 1;
   result.report.arguments = declared_;
-  if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();
+  if (entity->mesh()) result.report.triangles = entity->mesh()->triangles.size();
   result.entities.push_back(std::move(*entity));
   return result;
 }
@@ -252,14 +250,14 @@ Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
   auto& model = robots_[what].model;
   if (!model) model = mannequin::figureModel(*figure);
   Entity entity;
-  entity.kind = EntityKind::kMannequin;
-  entity.robot = model;
-  entity.joints = mannequin::toModel(*figure, *mannequin::libraryPosture(*figure, "standing")).joints;
-  entity.figure = std::make_shared<const mannequin::Figure>(std::move(*figure));
+  entity.body =
+      Mannequin{{.model = model,
+                 .joints = mannequin::toModel(*figure, *mannequin::libraryPosture(*figure, "standing")).joints,
+                 .tip_link = "r_hand"},
+                std::make_shared<const mannequin::Figure>(*figure)};
   entity.name = "mannequin";
   entity.source = {what, 1.0};
-  entity.tip_link = "r_hand";
-  entity.mass = entity.figure->totalMass();
+  entity.contact.mass = figure->totalMass();
   return entity;
 }
 
@@ -277,7 +275,7 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, const xacro::Argu
   }
   Entity entity = robotEntity(known.model, known.model->name.empty() ? file.stem().string() : known.model->name);
   entity.X_WE = known.X_FB;
-  entity.tools = known.tools;
+  entity.editJointed().tools = known.tools;
   entity.source = {file.string(), 1.0};
   entity.source.arguments = arguments;
   return entity;
@@ -299,7 +297,7 @@ Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& 
     for (const Text& note : notes.warnings) diagnostics.warn(Text("%1: %2", file.filename().string(), note));
   }
   Entity entity;
-  entity.mesh = known.mesh;
+  entity.body = Solid{known.mesh};
   entity.name = file.stem().string();
   if (known.color) entity.color = *known.color;
   entity.source = {file.string(), known.metres_per_unit, "", source.up_axis, {}};

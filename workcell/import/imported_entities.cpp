@@ -129,13 +129,15 @@ class SceneConverter {
       named[k] = names.unique(usableName(node.name, node.robot ? "robot" : "part"));
       Entity entity = node.robot ? robotEntity(node.robot, named[k]) : Entity();
       entity.name = named[k];
-      if (!node.robot) entity.kind = hasShape(node) ? EntityKind::kSolid : EntityKind::kAssembly;
       entity.X_WE = X_F[k];
       if (node.parent >= 0) entity.parent = named[static_cast<std::size_t>(node.parent)];
       if (node.color) entity.color = *node.color;
       entity.source = source_;
       entity.source.part = paths[k];
-      if (!node.robot && hasShape(node)) entity.mesh = meshes_[static_cast<std::size_t>(node.mesh)];
+      if (!hasShape(node))
+        entity.body = Assembly{};
+      else if (!node.robot)
+        entity.body = Solid{meshes_[static_cast<std::size_t>(node.mesh)]};
       add(std::move(entity));
     }
     warnOfEmpty(empty);
@@ -170,15 +172,15 @@ class SceneConverter {
     if (whole.triangles.empty()) return;
     entity.name = usableName(std::filesystem::path(source_.path).stem().string(), "part");
     entity.source = source_;
-    entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(whole));
+    entity.body = Solid{std::make_shared<const geometry::TriangleMesh>(std::move(whole))};
     add(std::move(entity));
   }
 
   void add(Entity entity) {
-    if (entity.robot) ++result_.report.parts;
-    if (entity.mesh) {
+    if (entity.robot()) ++result_.report.parts;
+    if (entity.mesh()) {
       ++result_.report.parts;
-      result_.report.triangles += entity.mesh->triangles.size();
+      result_.report.triangles += entity.mesh()->triangles.size();
     }
     result_.entities.push_back(std::move(entity));
   }
@@ -196,11 +198,10 @@ class SceneConverter {
 
 Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name) {
   Entity entity;
-  entity.kind = EntityKind::kRobot;
   entity.name = name;
   const int tip = robot->defaultTip();
-  if (tip >= 0) entity.tip_link = robot->links[static_cast<std::size_t>(tip)].name;
-  entity.robot = std::move(robot);
+  std::string tip_link = tip >= 0 ? robot->links[static_cast<std::size_t>(tip)].name : std::string();
+  entity.body = Robot{{.model = std::move(robot), .joints = {}, .tip_link = std::move(tip_link)}};
   return entity;
 }
 

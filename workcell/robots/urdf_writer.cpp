@@ -42,7 +42,7 @@ std::string origin(const Pose& X) {
 
 class UrdfText {
  public:
-  UrdfText(const Entity& robot, const fs::path& file) : robot_(robot), model_(*robot.robot) {
+  UrdfText(const Entity& robot, const fs::path& file) : robot_(robot), model_(*robot.robot()) {
     meshes_ = file.stem().string() + "_meshes";
   }
 
@@ -133,13 +133,13 @@ class UrdfText {
 }  // namespace
 
 Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics& diagnostics) {
-  if (!robot.robot || robot.robot->links.empty()) {
+  if (!robot.robot() || robot.robot()->links.empty()) {
     return makeError({.file = file.string(),
                       .found = Text("'%1', which is not a robot", robot.name),
                       .expected = "a robot",
                       .fix = "Choose a robot."});
   }
-  if (robot.robot->closure) {
+  if (robot.robot()->closure) {
     diagnostics.warn(Text("'%1' has closed loops, which URDF cannot describe: only its tree was written", robot.name));
   }
   UrdfText urdf(robot, file);

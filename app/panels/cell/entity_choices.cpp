@@ -88,13 +88,13 @@ void EntityChoices::connectChoices() {
 void EntityChoices::show() {
   const workcell::Entity* now = entity();
   if (!now) return;
-  feel_->setVisible(now->kind != workcell::EntityKind::kFrame);
-  on_contact_->setCurrent(static_cast<int>(now->on_contact));
-  force_class_->setCurrent(static_cast<int>(now->force_class));
-  material_->setCurrentIndex(material_->findData(QString::fromStdString(now->material)));
-  mass_->setValue(now->mass);
+  feel_->setVisible(now->kind() != workcell::EntityKind::kFrame);
+  on_contact_->setCurrent(static_cast<int>(now->contact.on_contact));
+  force_class_->setCurrent(static_cast<int>(now->contact.force_class));
+  material_->setCurrentIndex(material_->findData(QString::fromStdString(now->contact.material)));
+  mass_->setValue(now->contact.mass);
   swatches_->setCurrent(QColor::fromRgbF(now->color[0], now->color[1], now->color[2]));
-  swatches_->parentWidget()->setVisible(!now->robot);
+  swatches_->parentWidget()->setVisible(!now->robot());
   checked_->setChecked(now->checked);
   locked_->setChecked(now->locked);
 }

@@ -71,7 +71,7 @@ class EntityMenu {
     const bool locked = first_ && first_->locked, checked = first_ && first_->checked;
     add("treeLock", locked ? QObject::tr("Unlock") : QObject::tr("Lock"), locked ? "unlock" : "lock",
         [&document = document_, ids = ids_, locked] { lockEntities(document, ids, !locked); });
-    if (first_ && first_->kind == workcell::EntityKind::kFrame) return;  // It is neither checked nor coloured.
+    if (first_ && first_->kind() == workcell::EntityKind::kFrame) return;  // It is neither checked nor coloured.
     QAction* check = add("treeCheck", QObject::tr("Checked for collision"), {},
                          [&document = document_, ids = ids_, checked] { checkEntities(document, ids, !checked); });
     check->setCheckable(true);
@@ -102,12 +102,12 @@ class EntityMenu {
     carriers->setObjectName("treeAttach");
     for (const auto& entity : document_.document().state().entities) {
       const bool meant = std::find(ids_.begin(), ids_.end(), entity->id) != ids_.end();
-      if (meant || entity->kind == workcell::EntityKind::kAssembly || entity->figure) continue;
+      if (meant || entity->kind() == workcell::EntityKind::kAssembly || entity->figure()) continue;
       const auto to = entity->id;
       carriers->addAction(icon(entityIcon(*entity)), QString::fromStdString(entity->name), &menu_,
                           [&document = document_, ids = ids_, to] { attachEntities(document, ids, to); });
     }
-    carriers->setEnabled(first_ && !first_->figure && !carriers->isEmpty());
+    carriers->setEnabled(first_ && !first_->figure() && !carriers->isEmpty());
     add("treeDetach", QObject::tr("Detach"), {}, [&document = document_, ids = ids_] {
       detachEntities(document, ids);
     })->setEnabled(first_ && !first_->attachment.to.empty());
@@ -133,7 +133,7 @@ class EntityMenu {
       dock->show();
       dock->raise();
     });
-    if (first_ && (first_->mesh || first_->robot))
+    if (first_ && (first_->mesh() || first_->robot()))
       add("treePairs", QObject::tr("Pairs and sets"), "contact", [&host = host_, id = first_->id] {
         auto* dock = host.window().findChild<QDockWidget*>("dockCollisions");
         if (!dock) return;
@@ -142,9 +142,9 @@ class EntityMenu {
         dock->raise();
         if (auto* panel = dock->findChild<CollisionsPanel*>()) panel->showPairs();
       });
-    if (first_ && first_->figure)
+    if (first_ && first_->figure())
       addNamed(menu_, host_, {"actionMannequinPanel"});
-    else if (first_ && first_->robot)
+    else if (first_ && first_->robot())
       addNamed(menu_, host_, {"actionRobotPanel", "actionTools"});
     addNamed(menu_, host_, {"actionReload", "actionMeshCare", "actionExportSelection"});
   }

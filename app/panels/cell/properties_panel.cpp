@@ -32,9 +32,9 @@ constexpr int kNarrowLabel = 68;  // The dock is narrow.
 constexpr std::size_t kFewJoints = 6;
 
 QString placeHeading(const workcell::Entity& entity, bool in_world) {
-  if (entity.figure)
+  if (entity.figure())
     return in_world ? PropertiesPanel::tr("Placement in world") : PropertiesPanel::tr("Placement in frame");
-  if (entity.robot) return in_world ? PropertiesPanel::tr("Base in world") : PropertiesPanel::tr("Base in frame");
+  if (entity.robot()) return in_world ? PropertiesPanel::tr("Base in world") : PropertiesPanel::tr("Base in frame");
   return in_world ? PropertiesPanel::tr("Origin in world") : PropertiesPanel::tr("Origin in frame");
 }
 
@@ -141,16 +141,16 @@ void PropertiesPanel::rebuild() {
     units->setProperty("short", QStringLiteral("%1 · %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
     units->setText(tr("X Y Z in %1 · A B C in %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
   }
-  const bool robot = now->robot != nullptr;
-  const bool figure = now->figure != nullptr;
-  tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());
+  const bool robot = now->robot() != nullptr;
+  const bool figure = now->figure() != nullptr;
+  tool_.holder->setVisible(robot && !figure && !now->jointed().tip_link.empty());
   frame_->showFrame(*now);
   // Nothing is placed in what goes with it; a tool centre point may be given in a frame on its own robot.
   reference_->leaveOut(robot ? 0 : now->id);
   showReference();
   joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
-  const void* model = now->robot.get();
-  if (model != shown_model_ || now->tip_link != shown_tip_) rebuildJoints();
+  const void* model = now->robot().get();
+  if (model != shown_model_ || now->jointed().tip_link != shown_tip_) rebuildJoints();
   choices_->show();
   showNow();
 }
@@ -186,10 +186,10 @@ void PropertiesPanel::rebuildJoints() {
   inverse_.reset();
   configuration_ = nullptr;
   const workcell::Entity* now = entity();
-  shown_model_ = now->robot.get();
-  shown_tip_ = now->tip_link;
+  shown_model_ = now->robot().get();
+  shown_tip_ = now->jointed().tip_link;
   shown_joints_.clear();
-  if (!now->robot) return;
+  if (!now->robot()) return;
   auto* top = new QWidget;
   auto* top_row = new QHBoxLayout(top);
   top_row->setContentsMargins(0, 0, 0, 0);
@@ -202,10 +202,10 @@ void PropertiesPanel::rebuildJoints() {
   top_row->addWidget(configuration_, 1);
   top->setFixedHeight(24);
   joints_column_->addWidget(top);
-  if (const int tip = now->robot->findLink(now->tip_link); tip >= 0 && now->robot->dof() <= kFewJoints)
-    if (auto made = kinematics::createInverse(*now->robot, tip)) inverse_ = std::move(*made);
-  for (std::size_t i = 0; i < now->robot->dof(); ++i) {
-    const auto& joint = now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])];
+  if (const int tip = now->robot()->findLink(now->jointed().tip_link); tip >= 0 && now->robot()->dof() <= kFewJoints)
+    if (auto made = kinematics::createInverse(*now->robot(), tip)) inverse_ = std::move(*made);
+  for (std::size_t i = 0; i < now->robot()->dof(); ++i) {
+    const auto& joint = now->robot()->joints[static_cast<std::size_t>(now->robot()->moving[i])];
     auto* row = new JointRow(scaleOf(joint, i));
     row->setObjectName(QStringLiteral("joint%1").arg(i + 1));
     connect(row, &JointRow::began, this, [this, row] {
@@ -223,9 +223,9 @@ void PropertiesPanel::rebuildJoints() {
 
 void PropertiesPanel::moveJoint(std::size_t variable, double value) {
   const workcell::Entity* now = entity();
-  if (!now || !now->robot || variable >= now->joints.size()) return;
-  std::vector<double> all = now->joints;
-  all[variable] = value * unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[variable])]);
+  if (!now || !now->robot() || variable >= now->joints().size()) return;
+  std::vector<double> all = now->joints();
+  all[variable] = value * unitOf(now->robot()->joints[static_cast<std::size_t>(now->robot()->moving[variable])]);
   host_.documentModel().execute(workcell::SetJoints{now->id, all});
 }
 
@@ -249,14 +249,14 @@ void PropertiesPanel::showNow() {
   if (!now || !isVisible()) return;
   const Pose X_WE = host_.viewport().scene().placement_W(*now);
   show(place_, placeReference_W().inverse() * X_WE);
-  if (!now->robot) return;
+  if (!now->robot()) return;
   const std::vector<double> q = joints();
   show(tool_, reference_W().inverse() * tcpPose_W(*now, X_WE, q));
   showConfiguration(*now, X_WE, q);
   for (std::size_t i = 0; i < rows_.size() && i < q.size(); ++i) {
     rows_[i]->setEnabled(!now->locked && !isHeld());
     if (!rows_[i]->isDragged())
-      rows_[i]->setValue(q[i] / unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])]));
+      rows_[i]->setValue(q[i] / unitOf(now->robot()->joints[static_cast<std::size_t>(now->robot()->moving[i])]));
   }
 }
 
@@ -265,9 +265,9 @@ void PropertiesPanel::showConfiguration(const workcell::Entity& robot, const Pos
   if (!configuration_ || !inverse_ || q == shown_joints_) return;
   shown_joints_ = q;
   QString words;
-  const Pose X_BT = X_WE.inverse() * tcpPose_W(robot, X_WE, q) * robot.X_LT.inverse();
+  const Pose X_BT = X_WE.inverse() * tcpPose_W(robot, X_WE, q) * robot.jointed().X_LT.inverse();
   // As the Robot dock's list says it.
-  const auto solutions = kinematics::listSolutions(*robot.robot, *inverse_, X_BT, q);
+  const auto solutions = kinematics::listSolutions(*robot.robot(), *inverse_, X_BT, q);
   const auto now = std::find_if(solutions.begin(), solutions.end(), [](const auto& one) { return one.is_now; });
   if (now != solutions.end()) words = shortConfiguration(now->configuration);
   configuration_->setText(words);
@@ -280,10 +280,11 @@ void PropertiesPanel::placeEntity(const Pose& X_WE) {
 
 void PropertiesPanel::placeTool(const Pose& X_WT) {
   const workcell::Entity* now = entity();
-  if (!now || !now->robot) return;
-  const auto model = kinematics::createInverse(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
+  if (!now || !now->robot()) return;
+  const auto model =
+      kinematics::createInverse(*now->robot(), now->robot()->findLink(now->jointed().tip_link), now->jointed().X_LT);
   if (!model) return host_.messages().tell(Severity::kWarning, shownText(model.error()));
-  const auto solution = (*model)->solve(now->X_WE.inverse() * X_WT, now->joints);
+  const auto solution = (*model)->solve(now->X_WE.inverse() * X_WT, now->joints());
   if (solution.status == kinematics::InverseStatus::kSolved) {
     host_.documentModel().execute(workcell::SetJoints{now->id, solution.q});
   } else {

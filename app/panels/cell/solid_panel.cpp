@@ -37,7 +37,7 @@ constexpr const char* kCurves = "solid";
 
 /// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
 dvec3 centerOf(const workcell::Entity& solid) {
-  const geometry::Bounds bounds = solid.mesh->bounds();
+  const geometry::Bounds bounds = solid.mesh()->bounds();
   return 0.5 * (bounds.min + bounds.max);
 }
 
@@ -168,7 +168,7 @@ void SolidPanel::addFlags(QVBoxLayout& column) {
 
 const workcell::Entity* SolidPanel::solid() const {
   const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
-  return entity && entity->kind == workcell::EntityKind::kSolid && entity->mesh ? entity : nullptr;
+  return entity && entity->kind() == workcell::EntityKind::kSolid && entity->mesh() ? entity : nullptr;
 }
 
 const workcell::DocumentState& SolidPanel::state() const {
@@ -212,15 +212,15 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
 }
 
 void SolidPanel::showFeel(const workcell::Entity& solid) {
-  force_class_->setCurrent(static_cast<int>(solid.force_class));
-  on_contact_->setCurrent(static_cast<int>(solid.on_contact));
-  material_->setCurrentIndex(material_->findData(QString::fromStdString(solid.material)));
-  if (!mass_->hasFocus()) mass_->setValue(solid.mass);
+  force_class_->setCurrent(static_cast<int>(solid.contact.force_class));
+  on_contact_->setCurrent(static_cast<int>(solid.contact.on_contact));
+  material_->setCurrentIndex(material_->findData(QString::fromStdString(solid.contact.material)));
+  if (!mass_->hasFocus()) mass_->setValue(solid.contact.mass);
   checked_->setChecked(solid.checked);
   locked_->setChecked(solid.locked);
   visible_->setChecked(solid.visible);
   triangles_->setText(
-      tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(solid.mesh->triangles.size()))));
+      tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(solid.mesh()->triangles.size()))));
   color_->setCurrent(QColor::fromRgbF(solid.color[0], solid.color[1], solid.color[2]));
   place_->showChoices(solid);
 }
@@ -238,7 +238,7 @@ void SolidPanel::showMarks() {
   if (now && isSeen(*this)) {
     const Pose X_WE = host_.viewport().scene().placement_W(*now);
     const HoldChoice& hold = host_.holdChoice();
-    const double length = 0.5 * glm::length(now->mesh->bounds().size()) + 0.03;
+    const double length = 0.5 * glm::length(now->mesh()->bounds().size()) + 0.03;
     const Pose center = X_WE * Pose::translation(centerOf(*now));
     const bool by_center = hold.is<by::Center>();
     const Pose* taken = by_center ? &center : &X_WE;

@@ -49,7 +49,7 @@ SolidPlace::SolidPlace(Host& host, QVBoxLayout& column, QObject* parent) : QObje
 
 const workcell::Entity* SolidPlace::solid() const {
   const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
-  return entity && entity->kind == workcell::EntityKind::kSolid && entity->mesh ? entity : nullptr;
+  return entity && entity->kind() == workcell::EntityKind::kSolid && entity->mesh() ? entity : nullptr;
 }
 
 void SolidPlace::showAgain() {

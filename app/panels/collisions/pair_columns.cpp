@@ -141,7 +141,7 @@ void PairColumns::show() {
       lists_[side]->clear();
       for (const QString& name : names) {
         const workcell::Entity* entity = host_.documentModel().document().findByName(name.toStdString());
-        const char* const shape = entity && entity->robot ? "robot" : "cube";
+        const char* const shape = entity && entity->robot() ? "robot" : "cube";
         new QListWidgetItem(icon(entity ? shape : "warning"), name, lists_[side]);
       }
     }

@@ -46,7 +46,7 @@ class RowMaker {
     const auto& all = pairs(moved);
     const auto found = std::find_if(all.begin(), all.end(), [other](const auto& pair) { return pair.other == other; });
     if (found != all.end()) return *found;
-    return {moved, other, defaults_.safety_distance, 0.0, state_.find(moved)->on_contact};
+    return {moved, other, defaults_.safety_distance, 0.0, state_.find(moved)->contact.on_contact};
   }
   PairRow row(const workcell::EffectivePair& pair, const std::string& moved_part, const std::string& other_part) const {
     PairRow row;
@@ -79,7 +79,7 @@ class RowMaker {
     const workcell::Entity* entity = state_.find(id);
     const workcell::Entity* carrier = entity ? state_.findByName(entity->attachment.to) : nullptr;
     if (!carrier) return;
-    PairRow row = this->row(pairOf(id, carrier->id), {}, carrier->robot ? entity->attachment.link : std::string());
+    PairRow row = this->row(pairOf(id, carrier->id), {}, carrier->robot() ? entity->attachment.link : std::string());
     row.checked = false;
     row.one_body = true;
     rows.push_back(std::move(row));
@@ -109,7 +109,7 @@ class RowMaker {
 bool isRowWithin(const workcell::DocumentState& state, const RowMaker& maker, const workcell::EffectivePair& pair) {
   if (!maker.goesAlong(pair.other)) return true;
   const workcell::EntityId top = maker.family().front();
-  return pair.moved != top && pair.other == top && state.find(top)->robot != nullptr;
+  return pair.moved != top && pair.other == top && state.find(top)->robot() != nullptr;
 }
 
 }  // namespace

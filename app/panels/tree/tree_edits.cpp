@@ -47,7 +47,7 @@ bool setAll(DocumentModel& document, const QString& verb, const Entities& ids, c
     SetProperties one = change;
     one.id = id;
     commands.emplace_back(one);
-    if (state.find(id)->kind != workcell::EntityKind::kAssembly) continue;
+    if (state.find(id)->kind() != workcell::EntityKind::kAssembly) continue;
     for (const EntityId member : workcell::familyOf(state, id)) done.insert(member);
   }
   if (commands.empty()) return false;
@@ -77,7 +77,7 @@ Entities addCopies(DocumentModel& document, const QString& text, std::vector<Ent
   if (copies.empty()) return {};
   geometry::Bounds bounds_W;
   for (const Entity& copy : copies)
-    if (copy.mesh) bounds_W.add(geometry::transformed(copy.X_WE, copy.mesh->bounds()));
+    if (copy.mesh()) bounds_W.add(geometry::transformed(copy.X_WE, copy.mesh()->bounds()));
   // m that a copy without shape is put beside; robots are about as wide. Half: it overlaps; twice: it is out of sight.
   constexpr double kOtherwise = 0.5;
   dvec3 by{bounds_W.isEmpty() ? kOtherwise : 1.1 * bounds_W.size().x, 0.0, 0.0};
@@ -134,7 +134,7 @@ bool isolateEntities(DocumentModel& document, const Entities& ids) {
   std::unordered_set<EntityId> shown(family.begin(), family.end());
   for (const EntityId id : ids) {  // What they stand below is not drawn itself, but its eye should be open.
     const Entity* at = state.find(id);
-    while (at && (at = state.findByName(at->parent)) && at->kind == workcell::EntityKind::kAssembly)
+    while (at && (at = state.findByName(at->parent)) && at->kind() == workcell::EntityKind::kAssembly)
       if (!shown.insert(at->id).second) break;
   }
   return showExactly(document, QObject::tr("Isolate %1").arg(nameOf(state, ids)),

@@ -37,7 +37,7 @@ int WorkcellTreeRows::append(int parent, TreeRow row) {
 }
 
 void WorkcellTreeRows::appendRobot(int row, const workcell::Entity& entity) {
-  for (const auto& link : entity.robot->links) {
+  for (const auto& link : entity.robot()->links) {
     if (link.visuals.empty() && link.collisions.empty() && !link.isUnchecked()) continue;
     const QString name = QString::fromStdString(link.name);
     const QString shown = link.isUnchecked() ? QObject::tr("%1 · no shape").arg(name) : name;
@@ -48,13 +48,13 @@ void WorkcellTreeRows::appendRobot(int row, const workcell::Entity& entity) {
 void WorkcellTreeRows::appendEntity(int parent, const workcell::Entity& entity) {
   const int row =
       append(parent, {TreeRow::Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}, {}});
-  if (entity.robot && !entity.tip_link.empty()) {
-    const QString tip = QString::fromStdString(entity.tip_link);
+  if (entity.robot() && !entity.jointed().tip_link.empty()) {
+    const QString tip = QString::fromStdString(entity.jointed().tip_link);
     append(row, {TreeRow::Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}, {}});
   }
   const auto [first_motion, last_motion] = motions_.equal_range(entity.name);
   for (auto motion = first_motion; motion != last_motion; ++motion) appendMotion(row, *motion->second);
-  if (entity.robot) appendRobot(row, entity);
+  if (entity.robot()) appendRobot(row, entity);
   for (const workcell::Frame& frame : entity.frames) {
     const QString name = QString::fromStdString(frame.name);
     append(row, {TreeRow::Kind::kFrame, name, name, entity.id, -1, 0, {}, {}, {}});

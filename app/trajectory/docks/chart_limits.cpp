@@ -18,11 +18,11 @@ std::vector<MotionChart::Limit> chartLimits(const workcell::Entity& entity, cons
     limit.speed = bounds.velocity[i];
     limit.acceleration = bounds.acceleration[i];
     limit.jerk = bounds.acceleration[i] / kUsualRamp;
-    if (trajectory.hasJoints() && columns && entity.robot) {
-      const int joint = entity.robot->moving[(*columns)[i]];
-      limit.lowest = entity.robot->joints[static_cast<std::size_t>(joint)].lower;
-      limit.highest = entity.robot->joints[static_cast<std::size_t>(joint)].upper;
-      limit.slides = entity.robot->joints[static_cast<std::size_t>(joint)].type == kinematics::JointType::kPrismatic;
+    if (trajectory.hasJoints() && columns && entity.robot()) {
+      const int joint = entity.robot()->moving[(*columns)[i]];
+      limit.lowest = entity.robot()->joints[static_cast<std::size_t>(joint)].lower;
+      limit.highest = entity.robot()->joints[static_cast<std::size_t>(joint)].upper;
+      limit.slides = entity.robot()->joints[static_cast<std::size_t>(joint)].type == kinematics::JointType::kPrismatic;
     }
     limits.push_back(std::move(limit));
   }

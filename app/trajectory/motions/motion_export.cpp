@@ -230,7 +230,7 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
           if (!read->has_poses) {
             const auto moved = std::find_if(entities.begin(), entities.end(),
                                             [&](const auto& one) { return one->name == read->entity; });
-            if (moved == entities.end() || !(*moved)->robot) {
+            if (moved == entities.end() || !(*moved)->robot()) {
               return makeError({.file = path.toStdString(),
                                 .found = "joint values without poses",
                                 .expected = "the robot of these joints",

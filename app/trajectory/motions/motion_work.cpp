@@ -73,9 +73,9 @@ trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const Trajecto
     const auto columns = manipulation::jointColumns(entity, trajectory);
     for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
       double speed = 0.0;
-      if (columns && entity.robot) {
-        const int joint = entity.robot->moving[(*columns)[j]];
-        speed = entity.robot->joints[static_cast<std::size_t>(joint)].velocity;
+      if (columns && entity.robot()) {
+        const int joint = entity.robot()->moving[(*columns)[j]];
+        speed = entity.robot()->joints[static_cast<std::size_t>(joint)].velocity;
       }
       limits.velocity.push_back(speed > 0.0 ? speed : std::numbers::pi);
     }
@@ -192,8 +192,7 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
                                          [&](const auto& e) { return e->name == given->entity; });
         // The joints of a robot that is moved by its tool are found for the smoothed poses.
         trajectory::PathTolerance asked = tolerance;
-        const bool by_tool = entity != cell.entities.end() && (*entity)->robot &&
-                             (*entity)->kind != workcell::EntityKind::kMannequin &&
+        const bool by_tool = entity != cell.entities.end() && workcell::isMachine(**entity) &&
                              (given->moved.empty() || given->moved == "tcp");
         if (by_tool) asked.joint = std::numeric_limits<double>::infinity();
         auto smooth = trajectory::smoothed(*given, {asked});
@@ -324,7 +323,7 @@ MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
                                            [&](const auto& e) { return e->name == given->entity; });
           entity != cell.entities.end()) {
         const auto columns = manipulation::jointColumns(**entity, *given);
-        start = (*entity)->joints;
+        start = (*entity)->joints();
         for (std::size_t j = 0; columns && j < columns->size(); ++j) start[(*columns)[j]] = given->joints(0)[j];
       }
       auto replay = manipulation::MotionReplay::create(cell.entities, given->entity,

@@ -14,18 +14,18 @@ namespace {
 constexpr int kPeriod = 10;
 
 bool stands(const workcell::Entity& entity, const std::pair<Pose, std::vector<double>>& at) {
-  return entity.joints == at.second && entity.X_WE.p == at.first.p && entity.X_WE.q == at.first.q;
+  return entity.joints() == at.second && entity.X_WE.p == at.first.p && entity.X_WE.q == at.first.q;
 }
 
 /// What the hand would draw: a robot's tool centre point, everything else as a whole.
 Pose movedFrame(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints) {
-  if (!entity.robot || entity.kind == workcell::EntityKind::kMannequin) return X_WE;
-  int tip = entity.robot->findLink(entity.tip_link);
-  if (tip < 0) tip = entity.robot->defaultTip();
+  if (!workcell::isMachine(entity)) return X_WE;
+  int tip = entity.robot()->findLink(entity.jointed().tip_link);
+  if (tip < 0) tip = entity.robot()->defaultTip();
   if (tip < 0) return X_WE;
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*entity.robot, joints, X_BL);
-  return X_WE * X_BL[static_cast<std::size_t>(tip)] * entity.X_LT;
+  kinematics::forwardKinematics(*entity.robot(), joints, X_BL);
+  return X_WE * X_BL[static_cast<std::size_t>(tip)] * entity.jointed().X_LT;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void WindowRecorder::start(const manipulation::command::StartRecording& wanted) 
   start_.clear();
   moves_.clear();
   for (const auto& entity : host_.documentModel().document().state().entities)
-    start_[entity->id] = {entity->X_WE, entity->joints};
+    start_[entity->id] = {entity->X_WE, entity->joints()};
   clock_.start();
   timer_.start();
 }
@@ -80,7 +80,7 @@ void WindowRecorder::look() {
     if (!entity->attachment.to.empty()) continue;
     const auto before = start_.find(entity->id);
     if (before == start_.end()) {
-      start_[entity->id] = {entity->X_WE, entity->joints};
+      start_[entity->id] = {entity->X_WE, entity->joints()};
       continue;
     }
     bool& moves = moves_[entity->id];
@@ -89,7 +89,7 @@ void WindowRecorder::look() {
       // Its first place is where it stood.
       workcell::Entity first = *entity;
       first.X_WE = before->second.first;
-      first.joints = before->second.second;
+      first.setJoints(before->second.second);
       moves = true;
       add(first, t, false);
       continue;
@@ -102,9 +102,9 @@ void WindowRecorder::add(const workcell::Entity& entity, double t, bool by_hand)
   manipulation::TakeRecorder::Sample sample;
   sample.t = t;
   sample.entity = &entity;
-  const manipulation::EntityConfiguration at{entity.X_WE, entity.joints};
+  const manipulation::EntityConfiguration at{entity.X_WE, entity.joints()};
   sample.at = &at;
-  sample.X_WM = movedFrame(entity, entity.X_WE, entity.joints);
+  sample.X_WM = movedFrame(entity, entity.X_WE, entity.joints());
   by_hand ? recorder_->mark(sample) : recorder_->add(sample);
 }
 

@@ -30,7 +30,7 @@ double distanceToAxis(const glm::dvec2& p, const glm::dvec2& from, const glm::dv
 template <typename Do>
 void forVisibleFrames(const SceneModel& scene, Do act) {
   for (const workcell::Entity& entity : scene.entities())
-    if (entity.kind == workcell::EntityKind::kFrame && entity.visible) act(entity, scene.placement_W(entity));
+    if (entity.kind() == workcell::EntityKind::kFrame && entity.visible) act(entity, scene.placement_W(entity));
 }
 
 }  // namespace

@@ -58,9 +58,9 @@ void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
     if (mesh && !bounds.contains(mesh)) bounds.emplace(mesh, boundsOf_M(mesh));
   };
   for (const workcell::Entity& entity : entities_) {
-    note(entity.mesh);
-    if (!entity.robot) continue;
-    for (const kinematics::Link& link : entity.robot->links)
+    note(entity.mesh());
+    if (!entity.robot()) continue;
+    for (const kinematics::Link& link : entity.robot()->links)
       for (const auto& shape : link.visuals.empty() ? link.collisions : link.visuals) note(shape.mesh);
   }
   mesh_bounds_ = std::move(bounds);
@@ -158,18 +158,18 @@ void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> ext
 void SceneModel::setSkin(const workcell::Entity& entity, std::shared_ptr<const mannequin::FigureSkin> skin) {
   ++revision_;
   skins_.erase(entity.id);
-  if (!skin || !entity.robot || !entity.figure) return;
+  if (!skin || !entity.robot() || !entity.figure()) return;
   Skin& own = skins_[entity.id];
-  own.figure = entity.figure;
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i)
-    own.bodies.push_back(mannequin::bodyOfLink(*entity.robot, static_cast<int>(i)));
+  own.figure = entity.figure();
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i)
+    own.bodies.push_back(mannequin::bodyOfLink(*entity.robot(), static_cast<int>(i)));
   own.skin = std::make_shared<PosedSkin>(std::move(skin));
 }
 
 const SceneModel::Skin* SceneModel::skinOf(const workcell::Entity& entity) const {
   const auto found = skins_.find(entity.id);
-  if (found == skins_.end() || !entity.robot || found->second.figure != entity.figure) return nullptr;
-  if (found->second.bodies.size() != entity.robot->links.size()) return nullptr;
+  if (found == skins_.end() || !entity.robot() || found->second.figure != entity.figure()) return nullptr;
+  if (found->second.bodies.size() != entity.robot()->links.size()) return nullptr;
   return &found->second;
 }
 
@@ -215,7 +215,7 @@ Pose SceneModel::placement_W(const workcell::Entity& entity) const {
 std::vector<double> SceneModel::joints(const workcell::Entity& entity) const {
   if (const GhostPose* played = playedOf(entity.id)) return played->joints;
   const manipulation::EntityState* state = stateOf(entity.id);
-  return state && state->joints.size() == entity.joints.size() ? state->joints : entity.joints;
+  return state && state->joints.size() == entity.joints().size() ? state->joints : entity.joints();
 }
 
 std::uint32_t SceneModel::marks(const workcell::Entity& entity, const std::string& part) const {
@@ -243,7 +243,7 @@ geometry::Bounds SceneModel::boundsOf_M(const std::shared_ptr<const geometry::Tr
 geometry::Bounds SceneModel::bounds_W() const {
   geometry::Bounds bounds;
   for (const workcell::Entity& entity : entities_)  // A frame has nothing that is lit or cut.
-    if (entity.visible && entity.kind != workcell::EntityKind::kFrame) bounds.add(boundsOf_W(entity.id));
+    if (entity.visible && entity.kind() != workcell::EntityKind::kFrame) bounds.add(boundsOf_W(entity.id));
   return bounds;
 }
 
@@ -258,7 +258,7 @@ std::vector<dvec3> SceneModel::corners_W() const {
     }
   }
   for (const workcell::Entity& entity : entities_)
-    if (entity.visible && entity.kind == workcell::EntityKind::kFrame) corners.push_back(placement_W(entity).p);
+    if (entity.visible && entity.kind() == workcell::EntityKind::kFrame) corners.push_back(placement_W(entity).p);
   return corners;
 }
 
@@ -266,7 +266,7 @@ geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
   geometry::Bounds bounds;
   const workcell::Entity* entity = find(id);
   if (!entity) return bounds;
-  if (entity->kind == workcell::EntityKind::kFrame) {  // What one sees of it when it is looked for.
+  if (entity->kind() == workcell::EntityKind::kFrame) {  // What one sees of it when it is looked for.
     // m about a thing without shape, to zoom to; our choice. Half, twice: nearer or farther.
     constexpr dvec3 kAround{0.1};
     const dvec3 p_W = placement_W(*entity).p;

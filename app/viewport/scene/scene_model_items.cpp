@@ -67,13 +67,13 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
     item.link = link;
     items.push_back(std::move(item));
   };
-  add(entity.mesh, X_WE, entity.color, -1);
-  if (!entity.robot) return;
-  joints.resize(entity.robot->dof(), 0.0);
+  add(entity.mesh(), X_WE, entity.color, -1);
+  if (!entity.robot()) return;
+  joints.resize(entity.robot()->dof(), 0.0);
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*entity.robot, joints, X_BL);
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
-    const kinematics::Link& link = entity.robot->links[i];
+  kinematics::forwardKinematics(*entity.robot(), joints, X_BL);
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
+    const kinematics::Link& link = entity.robot()->links[i];
     for (const kinematics::LinkShape& shape : link.visuals.empty() ? link.collisions : link.visuals)
       add(shape.mesh, X_WE * X_BL[i] * shape.X_LS, {shape.color[0], shape.color[1], shape.color[2]},
           static_cast<int>(i));
@@ -83,19 +83,19 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
 void SceneModel::appendSkin(const workcell::Entity& entity, const Skin& skin, std::vector<RenderItem>& items) const {
   const auto looks = looks_.find(entity.id);
   std::vector<PosedSkin::BodyLook> bodies(mannequin::kBodies);
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
     const int body = skin.bodies[i];
     if (body < 0) continue;
     PosedSkin::BodyLook& look = bodies[static_cast<std::size_t>(body)];
-    look.state = marks(entity, entity.robot->links[i].name);
+    look.state = marks(entity, entity.robot()->links[i].name);
     if (looks == looks_.end()) continue;
     if (const auto own = looks->second.find(static_cast<int>(i)); own != looks->second.end()) look.own = own->second;
   }
   std::vector<double> now = joints(entity);
-  now.resize(entity.robot->dof(), 0.0);
+  now.resize(entity.robot()->dof(), 0.0);
   const Pose X_WE = placement_W(entity);
   for (const RenderItem& item :
-       skin.skin->items(mannequin::toPosture(*entity.figure, {Pose::identity(), now}), bodies)) {
+       skin.skin->items(mannequin::toPosture(*entity.figure(), {Pose::identity(), now}), bodies)) {
     items.push_back(item);
     items.back().X_WM = X_WE;
     items.back().entity = entity.id;
@@ -115,7 +115,8 @@ void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderI
         items[i].pattern = look->second.pattern;
       }
     }
-    items[i].state = marks(entity, link < 0 ? std::string() : entity.robot->links[static_cast<std::size_t>(link)].name);
+    items[i].state =
+        marks(entity, link < 0 ? std::string() : entity.robot()->links[static_cast<std::size_t>(link)].name);
   }
 }
 

@@ -32,10 +32,11 @@ glm::dvec2 vec(const QPointF& p) {
 QString hoverNameOf(const workcell::Entity* entity, int link) {
   if (!entity) return {};
   const QString name = QString::fromStdString(entity->name);
-  if (!entity->robot || entity->figure || link < 0 || static_cast<std::size_t>(link) >= entity->robot->links.size())
+  if (!entity->robot() || entity->figure() || link < 0 ||
+      static_cast<std::size_t>(link) >= entity->robot()->links.size())
     return name;
   return name + QStringLiteral(" · ") +
-         QString::fromStdString(entity->robot->links[static_cast<std::size_t>(link)].name);
+         QString::fromStdString(entity->robot()->links[static_cast<std::size_t>(link)].name);
 }
 
 }  // namespace

@@ -12,17 +12,17 @@ namespace {
 using workcell::Entity;
 
 bool isFree(const Entity& entity) {
-  return entity.robot && !entity.figure && mannequin::isFreeHand(*entity.robot);
+  return entity.robot() && !entity.figure() && mannequin::isFreeHand(*entity.robot());
 }
 
 const Entity* posed(const workcell::Document& document, workcell::EntityId chosen, mannequin::Side side) {
   const Entity* own = document.find(chosen);
-  if (own && !own->locked && (own->figure || isFree(*own))) return own;
+  if (own && !own->locked && (own->figure() || isFree(*own))) return own;
   const Entity* found = nullptr;
   for (const auto& entity : document.state().entities) {
     if (entity->locked) continue;
-    if (isFree(*entity) && mannequin::sideOf(*entity->robot) == side) return entity.get();
-    if (entity->figure && !found) found = entity.get();
+    if (isFree(*entity) && mannequin::sideOf(*entity->robot()) == side) return entity.get();
+    if (entity->figure() && !found) found = entity.get();
   }
   return found;
 }
@@ -44,11 +44,11 @@ GlovedHand glovedHand(const workcell::Document& document, workcell::EntityId cho
   if (!entity) return hand;
   hand.entity = entity->id;
   hand.bend = bendOf(angles);
-  hand.joints = entity->joints;
-  if (entity->figure) {
+  hand.joints = entity->joints();
+  if (entity->figure()) {
     using mannequin::Dof;
     hand.side = side;
-    mannequin::Posture posture = mannequin::toPosture(*entity->figure, {entity->X_WE, entity->joints});
+    mannequin::Posture posture = mannequin::toPosture(*entity->figure(), {entity->X_WE, entity->joints()});
     mannequin::setHandFromGlove(angles, side, posture);
     for (const Dof left : {Dof::kLeftFingersCurl, Dof::kLeftThumbAbduction, Dof::kLeftThumbFlexion}) {
       const Dof dof = mannequin::armDof(side, left);
@@ -57,8 +57,8 @@ GlovedHand glovedHand(const workcell::Document& document, workcell::EntityId cho
     }
   } else {
     // A free hand is one hand whatever glove there is: a left glove moves a right one as its mirror.
-    hand.side = mannequin::sideOf(*entity->robot);
-    hand.joints = mannequin::freeHandFromGlove(angles, *entity->robot);
+    hand.side = mannequin::sideOf(*entity->robot());
+    hand.joints = mannequin::freeHandFromGlove(angles, *entity->robot());
     for (std::size_t i = 0; i < hand.joints.size(); ++i) hand.fingers.push_back({i});
   }
   return hand;

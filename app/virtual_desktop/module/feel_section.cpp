@@ -48,7 +48,7 @@ FeelSection::FeelSection(Host& host, VirtualDesktopController& controller, QVBox
 
 void FeelSection::showMaterial(const workcell::Entity* entity) {
   material_->setEnabled(entity);
-  const std::string key = entity ? entity->material : "steel";
+  const std::string key = entity ? entity->contact.material : "steel";
   material_->setCurrentIndex(material_->findData(QString::fromStdString(key)));
   const auto& materials = host_.configuration().materials;
   const auto material = materials.find(key);

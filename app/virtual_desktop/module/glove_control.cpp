@@ -35,7 +35,7 @@ void GloveControl::vibrate(const GlovedHand& hand) {
 
 bool GloveControl::mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const {
   const workcell::Entity* part = owner_.host().documentModel().document().find(entity);
-  return part && part->kind == workcell::EntityKind::kSolid && !part->locked && part->attachment.to.empty() &&
+  return part && part->kind() == workcell::EntityKind::kSolid && !part->locked && part->attachment.to.empty() &&
          entity != hand && entity != owner_.snapshot().stylus.held;
 }
 
@@ -61,13 +61,13 @@ std::vector<double> GloveControl::posedJoints(workcell::EntityId id) const {
     if (state.id == id) return state.joints;
   }
   const workcell::Entity* entity = owner_.host().documentModel().document().find(id);
-  return entity ? entity->joints : std::vector<double>{};
+  return entity ? entity->joints() : std::vector<double>{};
 }
 
 /// One step of undo for a grasp, not one for each twitch.
 void GloveControl::keep(std::vector<double> joints) {
   const workcell::Entity* entity = owner_.host().documentModel().document().find(hand_);
-  if (!entity || joints.size() != entity->joints.size() || joints == entity->joints) return;
+  if (!entity || joints.size() != entity->joints().size() || joints == entity->joints()) return;
   owner_.host().documentModel().execute(workcell::SetConfiguration{hand_, entity->X_WE, std::move(joints)});
 }
 
@@ -106,7 +106,7 @@ void GloveControl::pose() {
   if (hand.entity == 0) return;
   grasp(hand);
   if (grasp_.held() != 0) return;  // The hand holds on as it closed.
-  const std::vector<double>& before = hand_ == hand.entity ? joints_ : document.find(hand.entity)->joints;
+  const std::vector<double>& before = hand_ == hand.entity ? joints_ : document.find(hand.entity)->joints();
   double moved = 0.0;
   for (std::size_t i = 0; i < hand.joints.size() && i < before.size(); ++i)
     moved = std::max(moved, std::abs(hand.joints[i] - before[i]));

@@ -33,8 +33,8 @@ std::array<MovedBy, 10> waysOffered() {
 
 void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
   constexpr int kTool = 0, kOrigin = 2, kWhole = 5;  // Among the ways offered.
-  const bool mannequin = entity && entity->kind == workcell::EntityKind::kMannequin;
-  const bool robot = entity && entity->robot && !mannequin;
+  const bool mannequin = entity && entity->kind() == workcell::EntityKind::kMannequin;
+  const bool robot = entity && entity->robot() && !mannequin;
   for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (!mannequin && (i < 2) == robot));
   moved_by.button(4)->setVisible(!mannequin);
   for (int i = 5; i < 10; ++i) moved_by.button(i)->setVisible(mannequin);
@@ -72,7 +72,7 @@ HeldSection::HeldSection(Host& host, VirtualDesktopController& controller, QVBox
       settings.entity = entity_->itemData(index).toULongLong();
       const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
       settings.moved_by = entity ? HoldChoice::usual(*entity) : MovedBy();
-      if (entity) settings.on_contact = entity->on_contact, settings.force_class = entity->force_class;
+      if (entity) settings.on_contact = entity->contact.on_contact, settings.force_class = entity->contact.force_class;
       if (entity) host_.selection().set(entity->id);
     });
   });
@@ -125,8 +125,8 @@ void HeldSection::listFrames(const workcell::Entity* entity) {
   moved_frame_->clear();
   if (entity)
     for (const auto& frame : entity->frames) moved_frame_->addItem(icon("frame"), QString::fromStdString(frame.name));
-  if (entity && entity->robot)
-    for (const auto& link : entity->robot->links)
+  if (entity && entity->robot())
+    for (const auto& link : entity->robot()->links)
       moved_frame_->addItem(icon("frame"), QString::fromStdString(link.name));
   moved_by_->setChoiceEnabled(4, moved_frame_->count() > 0, tr("This entity has no frames"));
   moved_frame_->setCurrentText(QString::fromStdString(manipulation::frameOf(controller_.settings().moved_by)));

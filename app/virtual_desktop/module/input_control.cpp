@@ -108,7 +108,7 @@ void InputControl::settleMouse() {
 bool InputControl::hasFreeHand() const {
   const auto& entities = owner_.host().documentModel().document().state().entities;
   return std::any_of(entities.begin(), entities.end(), [](const auto& entity) {
-    return entity->robot && !entity->figure && mannequin::isFreeHand(*entity->robot);
+    return entity->robot() && !entity->figure() && mannequin::isFreeHand(*entity->robot());
   });
 }
 

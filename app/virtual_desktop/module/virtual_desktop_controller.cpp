@@ -195,10 +195,11 @@ void VirtualDesktopController::edit(const std::function<void(VirtualDesktopSetti
 void VirtualDesktopController::takeEntityChoices() {
   const workcell::Entity* entity = host_.documentModel().document().find(settings_.entity);
   if (!entity) return;
-  if (entity->on_contact == settings_.on_contact && entity->force_class == settings_.force_class) return;
+  if (entity->contact.on_contact == settings_.on_contact && entity->contact.force_class == settings_.force_class)
+    return;
   VirtualDesktopSettings settings = settings_;
-  settings.on_contact = entity->on_contact;
-  settings.force_class = entity->force_class;
+  settings.on_contact = entity->contact.on_contact;
+  settings.force_class = entity->contact.force_class;
   change(settings);
 }
 

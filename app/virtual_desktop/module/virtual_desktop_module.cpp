@@ -130,10 +130,10 @@ void VirtualDesktopModule::chooseFirstRobot() {
   settings.entity = 0;
   settings.moved_by = manipulation::MovedBy();
   for (const auto& entity : host_->documentModel().document().state().entities) {
-    if (!entity->robot || entity->locked) continue;
+    if (!entity->robot() || entity->locked) continue;
     settings.entity = entity->id;
-    settings.on_contact = entity->on_contact;
-    settings.force_class = entity->force_class;
+    settings.on_contact = entity->contact.on_contact;
+    settings.force_class = entity->contact.force_class;
     settings.moved_by = HoldChoice::usual(*entity);
     break;
   }
@@ -154,8 +154,8 @@ void VirtualDesktopModule::followSelection(workcell::EntityId entity) {
   VirtualDesktopSettings settings = controller_->settings();
   if (settings.entity == entity) return;
   settings.entity = entity;
-  settings.on_contact = chosen->on_contact;
-  settings.force_class = chosen->force_class;
+  settings.on_contact = chosen->contact.on_contact;
+  settings.force_class = chosen->contact.force_class;
   settings.moved_by = HoldChoice::usual(*chosen);
   controller_->change(settings);
 }

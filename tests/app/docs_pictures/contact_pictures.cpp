@@ -81,7 +81,7 @@ void robotLimit(const PictureTask& task) {
   Diagnostics diagnostics;
   auto robot = workcell::EntityLoader({}).load("library:kuka_kr16_2", 0.0, diagnostics);
   ASSERT_TRUE(robot.has_value());
-  robot->joints = kinematics::restPositions(*robot->robot);
+  robot->setJoints(kinematics::restPositions(*robot->robot()));
   const std::string name = robot->name;
   ASSERT_TRUE(page.window().documentModel().execute(workcell::AddEntity{std::move(*robot)}));
   page.look({3.1, -2.9, 2.1}, {0.75, 0.0, 0.75});
@@ -112,9 +112,9 @@ void mannequinContact(const PictureTask& task) {
   constexpr int kRightHand = 2;
   page.chooseSegment("segmentsMovedBy", kRightHand);
   const auto& person = *page.document().findByName("operator");
-  const auto pose = mannequin::forwardKinematics(*person.figure, postureOf(person));
+  const auto pose = mannequin::forwardKinematics(*person.figure(), postureOf(person));
   const auto side = mannequin::Side::kRight;
-  const dvec3 p_WGrip = mannequin::handPose(pose, side) * person.figure->p_HandGrip[static_cast<std::size_t>(side)];
+  const dvec3 p_WGrip = mannequin::handPose(pose, side) * person.figure()->p_HandGrip[static_cast<std::size_t>(side)];
   const geometry::Bounds cover = page.window().viewport().scene().boundsOf_W(page.document().findByName("cover")->id);
   // Over it first, then down; the hand's workspace is shared evenly by the way.
   constexpr double kScale = 4.0, kAbove = 0.10;

@@ -19,7 +19,7 @@ void standAtTheBench(PicturePage& page, const char* posture) {
   const auto& person = *page.document().findByName("operator");
   page.select(person.id);
   ASSERT_TRUE(page.window().documentModel().executeAll(
-      "Posture", {postureCommand(person, placedHere(person, *mannequin::libraryPosture(*person.figure, posture)))}));
+      "Posture", {postureCommand(person, placedHere(person, *mannequin::libraryPosture(*person.figure(), posture)))}));
   PicturePage::settle();
 }
 
@@ -40,9 +40,9 @@ void figures(const PictureTask& task) {
     auto entity = workcell::EntityLoader(".").load(body, 1.0, diagnostics);
     ASSERT_TRUE(entity.has_value()) << body;
     entity->name = std::string(body) + posture;
-    const auto stands = mannequin::toModel(*entity->figure, *mannequin::libraryPosture(*entity->figure, posture));
+    const auto stands = mannequin::toModel(*entity->figure(), *mannequin::libraryPosture(*entity->figure(), posture));
     entity->X_WE = Pose::translation({0.0, y, 0.0}) * stands.X_WE;
-    entity->joints = stands.joints;
+    entity->setJoints(stands.joints);
     ASSERT_TRUE(page.window().documentModel().execute(workcell::AddEntity{std::move(*entity)}));
     y += 0.75;
   }

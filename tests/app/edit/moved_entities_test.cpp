@@ -18,9 +18,11 @@ workcell::EntityId add(workcell::Document& document, const char* name, EntityKin
                        const char* parent = "") {
   workcell::Entity entity;
   entity.name = name;
-  entity.kind = kind;
   entity.parent = parent;
-  if (kind == EntityKind::kSolid) entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({1, 1, 1}));
+  if (kind == EntityKind::kSolid)
+    entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({1, 1, 1}))};
+  else
+    entity.body = workcell::Assembly{};
   const auto id = document.execute(workcell::AddEntity{entity});
   EXPECT_TRUE(id.has_value());
   return id.value_or(0);

@@ -37,12 +37,12 @@ TEST(InsertPart, ATableStandsOnTheFloorAsLargeAsTypedAndIsOneStep) {
   ASSERT_TRUE(page.selected());
   EXPECT_EQ(page.selected()->name, "Table");
   EXPECT_EQ(page.selected()->source.path, "table:1.5,0.8,0.75") << "it is saved as what it is made from";
-  geometry::Bounds bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds());
+  geometry::Bounds bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh()->bounds());
   EXPECT_NEAR(bounds.min.z, 0.0, 1e-9);
   EXPECT_NEAR(bounds.max.x, 0.7 + 0.75, 1e-9);
   page.choose("Box");
   ASSERT_TRUE(page.insert());
-  bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds());
+  bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh()->bounds());
   EXPECT_NEAR(bounds.min.z, 0.0, 1e-9) << "plain shapes stand on the floor too";
   ASSERT_TRUE(page.insert());
   EXPECT_EQ(page.selected()->name, "Box 2");
@@ -68,7 +68,7 @@ TEST(InsertPart, AChosenPartFollowsThePointerAndStandsWhereItIsClicked) {
   ASSERT_EQ(page.entities(), 1u);
   EXPECT_EQ(page.ghosts(), 0u);
   EXPECT_FALSE(page.window().viewport().isPicking());
-  const auto boundsOf = [&] { return geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds()); };
+  const auto boundsOf = [&] { return geometry::transformed(page.selected()->X_WE, page.selected()->mesh()->bounds()); };
   EXPECT_LT(glm::length(boundsOf().center() - (place + dvec3(0, 0, 0.375))), 0.02) << "a pixel is some millimetres";
   EXPECT_NEAR(boundsOf().min.z, 0.0, 1e-9);
   EXPECT_EQ(page.steps(), 1u);
@@ -123,7 +123,7 @@ TEST(InsertPart, ABenchIsSetToAnotherHeightAfterwardsInOneStep) {
   page.settle();
   ASSERT_TRUE(page.typeForStep("fieldPartSize3", "1050"));
   EXPECT_EQ(page.selected()->source.path, "bench:1.2,0.8,1.05");
-  EXPECT_NEAR(page.selected()->mesh->bounds().max.z, 1.05, 1e-9);
+  EXPECT_NEAR(page.selected()->mesh()->bounds().max.z, 1.05, 1e-9);
   page.trigger("actionUndo");
   EXPECT_EQ(page.selected()->source.path, "bench:1.2,0.8,0.95");
 }
@@ -157,17 +157,18 @@ TEST(InsertPart, AGripperIsMountedOnTheRobotWithItsTcpInOneStep) {
   PartPage page;
   const workcell::EntityId robot = page.addRobot("kuka_kr6_r900");
   const auto robotNow = [&] { return page.document().document().find(robot); };
-  const Pose X_WFlange = tcpPose_W(*robotNow(), robotNow()->X_WE, robotNow()->joints);
+  const Pose X_WFlange = tcpPose_W(*robotNow(), robotNow()->X_WE, robotNow()->joints());
   page.choose("Gripper");
   ASSERT_EQ(page.find<QComboBox>("comboMountOn")->currentText().toStdString(), robotNow()->name) << "the only robot";
   ASSERT_TRUE(page.insert());
   const workcell::Entity gripper = *page.selected();
   EXPECT_EQ(gripper.attachment.to, robotNow()->name);
   EXPECT_LT(glm::length(gripper.X_WE.p - X_WFlange.p), 1e-9);
-  EXPECT_NEAR(robotNow()->X_LT.p.z, gripper.mesh->bounds().max.z, 1e-9) << "the TCP is between the finger tips";
+  EXPECT_NEAR(robotNow()->jointed().X_LT.p.z, gripper.mesh()->bounds().max.z, 1e-9)
+      << "the TCP is between the finger tips";
   page.trigger("actionUndo");
   EXPECT_EQ(page.entities(), 1u);
-  EXPECT_EQ(robotNow()->X_LT.p, dvec3(0.0));
+  EXPECT_EQ(robotNow()->jointed().X_LT.p, dvec3(0.0));
 }
 
 }  // namespace

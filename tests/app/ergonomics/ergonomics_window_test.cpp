@@ -331,7 +331,7 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   ErgonomicsPage page;
   workcell::Entity table;
   table.name = "Bench";
-  table.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 0.4, 0.04}));
+  table.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 0.4, 0.04}))};
   table.X_WE.p = {0.0, 1.2, 0.7};
   const auto bench = page.add(table);
   table.name = "Shelf";

@@ -16,7 +16,7 @@ class MovingCell {
   workcell::EntityId add(const std::string& name, const Pose& X_WE = {}) {
     workcell::Entity box;
     box.name = name;
-    box.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
+    box.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)))};
     box.X_WE = X_WE;
     EXPECT_TRUE(model_.execute(workcell::AddEntity{box}));
     memory_.look(0.1);
@@ -35,7 +35,7 @@ class MovingCell {
  private:
   MotionMemory::Places places() const {
     MotionMemory::Places all;
-    for (const auto& entity : model_.document().state().entities) all[entity->id] = {entity->X_WE, entity->joints};
+    for (const auto& entity : model_.document().state().entities) all[entity->id] = {entity->X_WE, entity->joints()};
     return all;
   }
   DocumentModel model_;

@@ -90,7 +90,7 @@ TEST(ImportChoices, TheReportNamesWhatWasRepairedAndDropped) {
 
 workcell::Entity block(const dvec3& size, const dvec3& place, const std::array<float, 3>& color) {
   workcell::Entity entity;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(size));
+  entity.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(size))};
   entity.X_WE = Pose::translation(place);
   entity.color = color;
   return entity;
@@ -128,7 +128,7 @@ TEST(RemarkLines, AreGroupedByKindAndKnowTheirParts) {
   clamp.name = "it's clamped";
   auto robot = std::make_shared<kinematics::RobotModel>();
   robot->links.emplace_back().name = "boom";
-  arm.robot = robot;
+  arm.body = workcell::Robot{{.model = robot}};
   NamedParts parts;
   addNames(arm, 3, parts);
   addNames(clamp, 5, parts);

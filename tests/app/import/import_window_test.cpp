@@ -55,7 +55,7 @@ TEST(ImportWindow, AFileWithoutUnitIsGuessedFromItsSizeAndSaysSo) {
   ASSERT_TRUE(page.idle());
   const workcell::Entity* block = page.entity("block");
   ASSERT_NE(block, nullptr);
-  EXPECT_NEAR(block->mesh->bounds().size().x, 0.1, 1e-12);
+  EXPECT_NEAR(block->mesh()->bounds().size().x, 0.1, 1e-12);
   EXPECT_DOUBLE_EQ(block->source.scale, 0.001);
   ASSERT_NE(page.told("block.off is added to the cell"), nullptr);
   EXPECT_TRUE(page.told("block.off is added to the cell")->text.contains("12 triangles"));
@@ -77,16 +77,16 @@ TEST(ImportWindow, ASizeThatMayBeMetresOrMillimetresIsAskedFor) {
   ASSERT_TRUE(page.press("importAll")) << "the answer counts for all that are open";
   ASSERT_TRUE(page.idle());
   ASSERT_NE(page.entity("conveyor"), nullptr);
-  EXPECT_NEAR(page.entity("conveyor")->mesh->bounds().size().x, 3.071, 1e-9);
+  EXPECT_NEAR(page.entity("conveyor")->mesh()->bounds().size().x, 3.071, 1e-9);
   ASSERT_NE(page.entity("stop"), nullptr);
-  EXPECT_NEAR(page.entity("stop")->mesh->bounds().size().x, 4.0, 1e-9);
+  EXPECT_NEAR(page.entity("stop")->mesh()->bounds().size().x, 4.0, 1e-9);
 }
 
 TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   QTemporaryDir folder;
   ImportPage page;
   ASSERT_TRUE(page.add(writeBlock(folder.filePath("block.off"), 100, 50, 20)));
-  EXPECT_NEAR(page.entity("block")->mesh->bounds().size().x, 100.0, 1e-9);
+  EXPECT_NEAR(page.entity("block")->mesh()->bounds().size().x, 100.0, 1e-9);
   const Message* told = page.told("block.off was read with warnings");
   ASSERT_NE(told, nullptr);
   EXPECT_TRUE(told->text.contains("the file has no unit")) << told->text.toStdString();
@@ -165,7 +165,7 @@ TEST(ImportWindow, NamesColoursAndUnitOfAnObjFileComeWithIt) {
   ASSERT_TRUE(page.window().documentModel().save(cell));
   ASSERT_TRUE(page.open(cell));
   ASSERT_NE(page.entity("Pin"), nullptr);
-  EXPECT_NEAR(page.entity("Pin")->mesh->bounds().min.z, 9 * 0.0254, 1e-12);
+  EXPECT_NEAR(page.entity("Pin")->mesh()->bounds().min.z, 9 * 0.0254, 1e-12);
   EXPECT_EQ(page.entity("Pin")->color, (std::array<float, 3>{1, 0, 0}));
 }
 
@@ -181,7 +181,7 @@ TEST(ImportWindow, UnitAndUpAxisAreTheUsersChoice) {
   ASSERT_TRUE(page.idle());
   const workcell::Entity* block = page.entity("block");
   ASSERT_NE(block, nullptr);
-  const dvec3 size = block->mesh->bounds().size();
+  const dvec3 size = block->mesh()->bounds().size();
   EXPECT_NEAR(size.x, 2.54, 1e-9);
   EXPECT_NEAR(size.y, 0.508, 1e-9);
   EXPECT_NEAR(size.z, 1.27, 1e-9);
@@ -214,7 +214,7 @@ TEST(ImportWindow, AHangingFileIsCancelledAndTheCellIsAsItWas) {
   page.window().documentModel().addImported({[] {
     workcell::Entity group;
     group.name = "group";
-    group.kind = workcell::EntityKind::kAssembly;
+    group.body = workcell::Assembly{};
     return group;
   }()});
   EXPECT_EQ(page.entities(), 1u);
@@ -261,7 +261,7 @@ TEST(ImportWindow, AMissingFileIsAskedForOnceAndTheRestIsThere) {
   ASSERT_TRUE(QFile::remove(folder.filePath("b.off")));
   ImportPage page;
   ASSERT_TRUE(page.open(cell));
-  EXPECT_NE(page.entity("a")->mesh, nullptr);
+  EXPECT_NE(page.entity("a")->mesh(), nullptr);
   ASSERT_NE(page.entity("b"), nullptr);
   EXPECT_TRUE(page.entity("b")->unloaded);
   const Message* told = page.told("A file of this cell is missing");
@@ -283,10 +283,10 @@ TEST(ImportWindow, AFileThatChangedIsReadAgainWithPlacementsKept) {
   page.trigger("actionReload");
   ASSERT_TRUE(page.idle());
   WindowPage::settle();
-  EXPECT_NEAR(page.entity("a")->mesh->bounds().size().x, 2.0, 1e-12);
+  EXPECT_NEAR(page.entity("a")->mesh()->bounds().size().x, 2.0, 1e-12);
   EXPECT_EQ(page.entity("a")->X_WE.p, dvec3(1, 2, 3));
   page.trigger("actionUndo");
-  EXPECT_NEAR(page.entity("a")->mesh->bounds().size().x, 1.0, 1e-12);
+  EXPECT_NEAR(page.entity("a")->mesh()->bounds().size().x, 1.0, 1e-12);
   EXPECT_EQ(page.entity("a")->X_WE.p, dvec3(1, 2, 3));
 }
 
@@ -326,12 +326,12 @@ TEST(ImportWindow, FiveHundredPartsAreHiddenAtOnce) {
   ImportPage page;
   std::vector<workcell::Entity> parts(501);
   parts[0].name = "rig";
-  parts[0].kind = workcell::EntityKind::kAssembly;
+  parts[0].body = workcell::Assembly{};
   const auto mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.01, 0.01, 0.01}));
   for (std::size_t k = 1; k < parts.size(); ++k) {
     parts[k].name = "part " + std::to_string(k);
     parts[k].parent = "rig";
-    parts[k].mesh = mesh;
+    parts[k].body = workcell::Solid{mesh};
     const std::size_t column = k % 25;
     const std::size_t row = k / 25;
     parts[k].X_WE = Pose::translation({0.02 * static_cast<double>(column), 0.02 * static_cast<double>(row), 0.0});

@@ -39,7 +39,7 @@ class Gallery : public MannequinPage {
   void solid(const char* name, const dvec3& size, const dvec3& p_W) {
     workcell::Entity entity;
     entity.name = name;
-    entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size));
+    entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size))};
     entity.X_WE.p = p_W;
     add(entity);
   }
@@ -47,7 +47,7 @@ class Gallery : public MannequinPage {
   void operatorIn(const char* posture) {
     ASSERT_TRUE(addMannequin());
     const workcell::Entity& it = *selected();
-    auto stands = *mannequin::libraryPosture(*it.figure, posture);
+    auto stands = *mannequin::libraryPosture(*it.figure(), posture);
     document().executeAll("Posture", {postureCommand(it, stands)});
     settle();
   }
@@ -57,7 +57,7 @@ class Gallery : public MannequinPage {
     const auto& it = *document().document().findByName("operator");
     window().selection().set(it.id);
     document().executeAll("Posture",
-                          {postureCommand(it, placedHere(it, *mannequin::libraryPosture(*it.figure, posture)))});
+                          {postureCommand(it, placedHere(it, *mannequin::libraryPosture(*it.figure(), posture)))});
     settle();
   }
   void look(double azimuth, double elevation, const geometry::Bounds& at) {
@@ -100,7 +100,7 @@ TEST(Gallery, Body) {
   Gallery page;
   page.operatorIn("standing");
   page.window().selection().set(0);
-  const auto& figure = *page.document().document().findByName("Operator")->figure;
+  const auto& figure = *page.document().document().findByName("Operator")->figure();
   const double top = figure.body[mannequin::Dimension::kStature];
   page.look(0, 4, Gallery::about({0.05, 0.0, top - 0.12}, 0.16));
   page.keep("face-front", false);
@@ -124,9 +124,9 @@ TEST(Gallery, Figures) {
     Diagnostics diagnostics;
     workcell::Entity entity = *workcell::EntityLoader(".").load(body, 1.0, diagnostics);
     entity.name = std::string(body) + posture;
-    const auto stands = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+    const auto stands = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), posture));
     entity.X_WE = Pose::translation({0.0, y, 0.0}) * stands.X_WE;
-    entity.joints = stands.joints;
+    entity.setJoints(stands.joints);
     page.add(entity);
     y += 0.75;
   }

@@ -35,7 +35,7 @@ using mannequin::Side;
 workcell::Entity table() {
   workcell::Entity entity;
   entity.name = "Bench";
-  entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}));
+  entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}))};
   entity.X_WE.p = {0.0, 0.0, 0.9};
   return entity;
 }
@@ -81,13 +81,13 @@ TEST(MannequinDock, SizeIsChosenTypedAndUndone) {
   const double before = page.stature();
   ASSERT_TRUE(page.segmentForStep("segmentsBoundary", 0));
   EXPECT_NEAR(page.stature(), 1.525, 0.001);
-  EXPECT_EQ(page.selected()->figure->sex, mannequin::Sex::kFemale);
+  EXPECT_EQ(page.selected()->figure()->sex, mannequin::Sex::kFemale);
   ASSERT_TRUE(page.typeForStep("fieldStature", "1680"));
   EXPECT_NEAR(page.stature(), 1.680, 1e-6);
   ASSERT_TRUE(page.typeForStep("fieldMass", "80"));
-  EXPECT_NEAR(page.selected()->figure->totalMass(), 80.0, 1e-6);
+  EXPECT_NEAR(page.selected()->figure()->totalMass(), 80.0, 1e-6);
   EXPECT_EQ(page.find<QLabel>("labelBody")->text(), "Woman, 1680 mm, 80 kg");
-  const auto& figure = *page.selected()->figure;
+  const auto& figure = *page.selected()->figure();
   EXPECT_NEAR(page.posture().X_WR.p.z, mannequin::onFloor(figure, page.posture()).X_WR.p.z, 1e-6) << "on the floor";
   for (int i = 0; i < 3; ++i) page.trigger("actionUndo");
   EXPECT_NEAR(page.stature(), before, 1e-9);
@@ -269,7 +269,7 @@ class HandArrow {
   }
   dvec3 grip() const {
     const workcell::Entity& figure = *page_.selected();
-    return movedFrame_W(figure, {figure.X_WE, figure.joints}, held_).p;
+    return movedFrame_W(figure, {figure.X_WE, figure.joints()}, held_).p;
   }
   /// Draws it up by the mouse and waits until that is one step.
   bool drag(double up, int moves) {
@@ -326,7 +326,7 @@ TEST(MannequinGizmo, AHandLiftedByItsArrowBendsTheElbowAndNotTheBack) {
   const dvec3 start = hand.grip();
   ASSERT_TRUE(hand.drag(0.30, 8));
   EXPECT_LT(glm::length(hand.grip() - start - dvec3(0.0, 0.0, 0.30)), 0.005);
-  const auto pose = mannequin::forwardKinematics(*page.selected()->figure, page.posture());
+  const auto pose = mannequin::forwardKinematics(*page.selected()->figure(), page.posture());
   const dvec3 back = pose[mannequin::Segment::kThorax].p_WS - pose[mannequin::Segment::kPelvis].p_WS;
   EXPECT_LT(std::acos(glm::normalize(back).z), 10.0 * std::numbers::pi / 180.0);
 }
@@ -339,7 +339,7 @@ struct CratePage : MannequinPage {
     const Pose X_WR = posture().X_WR;
     workcell::Entity entity;
     entity.name = "Crate";
-    entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.25, 0.35, 0.25}));
+    entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.25, 0.35, 0.25}))};
     entity.X_WE = X_WR * Pose::translation({ahead, 0.0, 0.0});
     entity.X_WE.p.z = 1.05;
     crate = add(entity);
@@ -375,8 +375,8 @@ struct CratePage : MannequinPage {
   }
   dvec3 gripInCrate(mannequin::Side side) {
     const auto* entity = document().document().find(figure);
-    const auto pose = mannequin::forwardKinematics(*entity->figure, postureOf(*entity));
-    const dvec3 grip = mannequin::handPose(pose, side) * entity->figure->p_HandGrip[static_cast<std::size_t>(side)];
+    const auto pose = mannequin::forwardKinematics(*entity->figure(), postureOf(*entity));
+    const dvec3 grip = mannequin::handPose(pose, side) * entity->figure()->p_HandGrip[static_cast<std::size_t>(side)];
     return document().document().find(crate)->X_WE.inverse() * grip;
   }
   workcell::EntityId figure = 0, crate = 0;
@@ -429,10 +429,10 @@ TEST(HandsToPart, SitsOnAChairLookingAsTheChairDoes) {
   page.settle();
   ASSERT_TRUE(page.chooseAtCrate("actionSitHere", {0.0, -0.1, 0.42}));
   const auto* figure = page.document().document().find(page.figure);
-  const auto pose = mannequin::forwardKinematics(*figure->figure, postureOf(*figure));
+  const auto pose = mannequin::forwardKinematics(*figure->figure(), postureOf(*figure));
   EXPECT_NEAR(pose[mannequin::Segment::kPelvis].p_WS.x, 1.0, 2e-3);
   EXPECT_LT(mannequin::footPose(pose, mannequin::Side::kLeft).p.y, -0.2) << "along the chair's -y";
-  EXPECT_NEAR(mannequin::footPose(pose, mannequin::Side::kLeft).p.z + figure->figure->sole.z, 0.0, 3e-3);
+  EXPECT_NEAR(mannequin::footPose(pose, mannequin::Side::kLeft).p.z + figure->figure()->sole.z, 0.0, 3e-3);
   EXPECT_TRUE(page.window().holdChoice().hands().locks.seat);
 }
 
@@ -478,7 +478,7 @@ TEST(Markers, AreShownMomentByMoment) {
 TEST(MannequinTree, HasItsOwnIcon) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
-  EXPECT_EQ(page.selected()->kind, workcell::EntityKind::kMannequin);
+  EXPECT_EQ(page.selected()->kind(), workcell::EntityKind::kMannequin);
   EXPECT_FALSE(icon("mannequin").pixmap(16, 16).toImage().isNull());
 }
 

@@ -39,7 +39,7 @@ class CellPage : public WindowPage {
     workcell::Entity entity;
     entity.name = name;
     entity.X_WE = X_WE;
-    entity.mesh = std::make_shared<geometry::TriangleMesh>(std::move(mesh));
+    entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(std::move(mesh))};
     window().documentModel().execute(workcell::AddEntity{entity});
     return document().findByName(name)->id;
   }

@@ -24,7 +24,7 @@ class MannequinPage : public RobotPage {
     return added;
   }
   mannequin::Posture posture() { return postureOf(*selected()); }
-  double stature() { return selected()->figure->body[mannequin::Dimension::kStature]; }
+  double stature() { return selected()->figure()->body[mannequin::Dimension::kStature]; }
   void segment(const char* name, int index) {
     auto* segments = find<Segmented>(name);
     if (!segments) return;

@@ -45,7 +45,7 @@ class RobotPage : public WindowPage {
     auto entity = workcell::EntityLoader({}).load("library:" + library_name, 0.0, diagnostics);
     EXPECT_TRUE(entity.has_value());
     if (!entity) return 0;
-    entity->joints = kinematics::restPositions(*entity->robot);
+    entity->setJoints(kinematics::restPositions(*entity->robot()));
     return add(std::move(*entity));
   }
   workcell::EntityId add(workcell::Entity entity) {
@@ -58,7 +58,7 @@ class RobotPage : public WindowPage {
     return made->id;
   }
   const workcell::Entity* selected() { return document().document().find(window().selection().current()); }
-  std::vector<double> joints() { return selected() ? selected()->joints : std::vector<double>{}; }
+  std::vector<double> joints() { return selected() ? selected()->joints() : std::vector<double>{}; }
   std::size_t steps() { return document().document().undoTexts().size(); }
   /// Clicks a button and waits until what it began is one finished step of undo.
   bool clickForStep(const QString& button) {

@@ -20,7 +20,7 @@ using workcell::MechanismJointType;
 workcell::Entity box(const std::string& name, const dvec3& p_W) {
   workcell::Entity entity;
   entity.name = name;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.2)));
+  entity.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.2)))};
   entity.X_WE = Pose::translation(p_W);
   return entity;
 }
@@ -51,10 +51,10 @@ TEST(MechanismDraft, AHingeOnAPickedBoreTurnsThePartAboutIt) {
   ASSERT_TRUE(command.has_value());
   ASSERT_TRUE(document.execute(*command).has_value());
   const workcell::Entity* door = document.findByName("door");
-  ASSERT_TRUE(door && door->robot);
+  ASSERT_TRUE(door && door->robot());
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*door->robot, {0.5 * std::numbers::pi}, X_BL);
-  const Pose X_WLeaf = door->X_WE * X_BL[static_cast<std::size_t>(door->robot->findLink("leaf"))];
+  kinematics::forwardKinematics(*door->robot(), {0.5 * std::numbers::pi}, X_BL);
+  const Pose X_WLeaf = door->X_WE * X_BL[static_cast<std::size_t>(door->robot()->findLink("leaf"))];
   // By hand: (1, 0) turned by a quarter about (0.5, 0.3) is (0.8, 0.8).
   EXPECT_LT(glm::length(X_WLeaf.p - dvec3(0.8, 0.8, 0)), 1e-12);
   ASSERT_TRUE(document.undo());
@@ -82,7 +82,7 @@ TEST(MechanismDraft, EditingKeepsTheJointsWhereTheyAreInTheCell) {
   EXPECT_FALSE(faultOf(draft, document.state()).has_value());
   ASSERT_TRUE(document.execute(*commandOf(draft, document.state())).has_value());
   const workcell::Entity* changed = document.findByName(parts->name);
-  EXPECT_NEAR(changed->robot->joints[static_cast<std::size_t>(changed->robot->moving[0])].upper, 1.0, 1e-12);
+  EXPECT_NEAR(changed->robot()->joints[static_cast<std::size_t>(changed->robot()->moving[0])].upper, 1.0, 1e-12);
 }
 
 TEST(MechanismDraft, FlippingTheAxisKeepsTheMotion) {
@@ -122,8 +122,8 @@ TEST(MechanismSamples, EachIsAWorkingMechanism) {
     for (const auto& part : parts->parts) make.parts.push_back(*document.execute(workcell::AddEntity{part}));
     ASSERT_TRUE(document.execute(make).has_value()) << nameOf(sample);
     const workcell::Entity* made = document.findByName(parts->name);
-    ASSERT_TRUE(made && made->robot);
-    EXPECT_EQ(made->robot->dof(), 1u) << nameOf(sample);
+    ASSERT_TRUE(made && made->robot());
+    EXPECT_EQ(made->robot()->dof(), 1u) << nameOf(sample);
   }
 }
 
@@ -136,10 +136,10 @@ TEST(MechanismSamples, TheGrippersFingersMoveApartTogether) {
   ASSERT_TRUE(document.execute(make).has_value());
   const workcell::Entity* gripper = document.findByName(parts->name);
   std::vector<Pose> closed, open;
-  kinematics::forwardKinematics(*gripper->robot, {0.0}, closed);
-  kinematics::forwardKinematics(*gripper->robot, {0.03}, open);
+  kinematics::forwardKinematics(*gripper->robot(), {0.0}, closed);
+  kinematics::forwardKinematics(*gripper->robot(), {0.03}, open);
   const auto moved = [&](const char* link) {
-    const auto i = static_cast<std::size_t>(gripper->robot->findLink(link));
+    const auto i = static_cast<std::size_t>(gripper->robot()->findLink(link));
     return open[i].p - closed[i].p;
   };
   EXPECT_LT(glm::length(moved("Finger, left") - dvec3(-0.03, 0, 0)), 1e-12);

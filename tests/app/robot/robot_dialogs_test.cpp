@@ -19,7 +19,7 @@ namespace {
 workcell::Entity box(const std::string& name, const dvec3& p_W) {
   workcell::Entity entity;
   entity.name = name;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.3)));
+  entity.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.3)))};
   entity.X_WE = Pose::translation(p_W);
   return entity;
 }
@@ -76,21 +76,21 @@ TEST(Tools, SeveralAreKeptEditedUsedAndRemoved) {
   page.addRobot("kuka_kr16_2");
   page.click("buttonTools");
   ASSERT_TRUE(page.isShown("dockTools"));
-  const std::size_t before = page.selected()->tools.size();
+  const std::size_t before = page.selected()->jointed().tools.size();
   ASSERT_TRUE(page.clickForStep("buttonNewTool"));
   ASSERT_TRUE(page.clickForStep("buttonNewTool"));
-  ASSERT_EQ(page.selected()->tools.size(), before + 2);
+  ASSERT_EQ(page.selected()->jointed().tools.size(), before + 2);
   ASSERT_TRUE(page.typeForStep("toolPoseZ", "235"));
-  const workcell::ToolFrame made = page.selected()->tools.back();
+  const workcell::ToolFrame made = page.selected()->jointed().tools.back();
   EXPECT_NEAR(made.X_LT.p.z, 0.235, 1e-12);
-  EXPECT_NE(page.selected()->tool, made.name);
+  EXPECT_NE(page.selected()->jointed().tool, made.name);
   ASSERT_TRUE(page.clickForStep("buttonUseTool"));
-  EXPECT_EQ(page.selected()->tool, made.name);
-  EXPECT_NEAR(page.selected()->X_LT.p.z, 0.235, 1e-12) << "the tool centre point is that of the tool in use";
+  EXPECT_EQ(page.selected()->jointed().tool, made.name);
+  EXPECT_NEAR(page.selected()->jointed().X_LT.p.z, 0.235, 1e-12) << "the tool centre point is that of the tool in use";
   EXPECT_TRUE(page.find<QComboBox>("comboTool")->currentText().contains("235"));
   page.trigger("actionUndo");
   ASSERT_TRUE(page.clickForStep("buttonRemoveTool"));
-  EXPECT_EQ(page.selected()->tools.size(), before + 1);
+  EXPECT_EQ(page.selected()->jointed().tools.size(), before + 1);
 }
 
 /// Where the frame's axis of this letter begins among what is drawn over the scene; far off where there is none.
@@ -107,8 +107,8 @@ TEST(Tools, TheFrameInTheSceneGoesWithTheRobotWhoeverMovesIt) {
   ASSERT_TRUE(page.clickForStep("buttonNewTool"));
   const auto tool = [&](const std::vector<double>& joints) {
     workcell::Entity with = *page.selected();
-    with.tip_link = with.tools.back().tip_link;
-    with.X_LT = with.tools.back().X_LT;
+    with.editJointed().tip_link = with.jointed().tools.back().tip_link;
+    with.editJointed().X_LT = with.jointed().tools.back().X_LT;
     return tcpPose_W(with, with.X_WE, joints).p;
   };
   EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(page.joints())), 1e-9);
@@ -176,12 +176,12 @@ TEST(Mechanisms, ASampleIsOneStepJogsAndStopsAtItsLimit) {
   page.trigger("actionMechanism");
   ASSERT_TRUE(page.isShown("dockMechanism"));
   ASSERT_TRUE(page.clickForStep("buttonSampleDoor"));
-  ASSERT_TRUE(page.selected() && page.selected()->kind == workcell::EntityKind::kMechanism);
+  ASSERT_TRUE(page.selected() && page.selected()->kind() == workcell::EntityKind::kMechanism);
   EXPECT_TRUE(page.isShown("dockRobot"));
   ASSERT_TRUE(page.typeForStep("jogField1", "45"));
   EXPECT_NEAR(page.joints()[0], 0.25 * std::numbers::pi, 1e-9);
   // Steps of 15 degrees towards its end stop: the last one ends on it, and there it says so.
-  const auto& hinge = page.selected()->robot->joints[static_cast<std::size_t>(page.selected()->robot->moving[0])];
+  const auto& hinge = page.selected()->robot()->joints[static_cast<std::size_t>(page.selected()->robot()->moving[0])];
   const double end = hinge.upper;
   ASSERT_GT(end, 0.25 * std::numbers::pi);
   auto* step = page.find<QComboBox>("comboStep");
@@ -229,9 +229,9 @@ TEST(Mechanisms, JointsAreLaidBetweenPartsOfTheCellAndTakenApart) {
   EXPECT_FALSE(page.window().viewport().isPicking());
   EXPECT_TRUE(page.words("labelAxis").startsWith("Z")) << page.words("labelAxis").toStdString();
   ASSERT_TRUE(page.clickForStep("buttonMakeMechanism")) << page.words("labelMechanismFault").toStdString();
-  ASSERT_TRUE(page.selected() && page.selected()->mechanism);
+  ASSERT_TRUE(page.selected() && page.selected()->mechanism());
   EXPECT_EQ(page.entities(), 1u);
-  const auto& joint = page.selected()->robot->joints[static_cast<std::size_t>(page.selected()->robot->moving[0])];
+  const auto& joint = page.selected()->robot()->joints[static_cast<std::size_t>(page.selected()->robot()->moving[0])];
   EXPECT_NEAR(joint.upper, 0.25, 1e-12);
   ASSERT_TRUE(page.typeForStep("jogField1", "100"));
   EXPECT_NEAR(page.joints()[0], 0.1, 1e-9);

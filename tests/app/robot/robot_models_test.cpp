@@ -20,16 +20,16 @@ workcell::Entity libraryRobot(const std::string& name) {
   auto entity = workcell::EntityLoader({}).load("library:" + name, 0.0, diagnostics);
   EXPECT_TRUE(entity.has_value()) << name;
   workcell::Entity robot = entity ? std::move(*entity) : workcell::Entity{};
-  if (robot.robot) robot.joints = kinematics::restPositions(*robot.robot);
+  if (robot.robot()) robot.setJoints(kinematics::restPositions(*robot.robot()));
   return robot;
 }
 
 TEST(RobotFacts, FlangeReachIsTheStretchedArm) {
   const workcell::Entity robot = libraryRobot("kuka_kr16_2");
-  ASSERT_TRUE(robot.robot);
+  ASSERT_TRUE(robot.robot());
   // a1, then upper arm, forearm with its offset, and the hand, all in one line: no pose reaches further.
   const double stretched = 0.260 + 0.680 + std::hypot(0.670, 0.035) + 0.158;
-  const double reach = flangeReach(*robot.robot);
+  const double reach = flangeReach(*robot.robot());
   EXPECT_LE(reach, stretched + 1e-9);
   EXPECT_GT(reach, stretched - 2e-3) << "with the wrist a little bent by the forearm's offset";
 }
@@ -48,11 +48,11 @@ TEST(RobotGhosts, WhatHangsOnTheFlangeGoesWithIt) {
   ASSERT_TRUE(robot.has_value());
   workcell::Entity part;
   part.name = "part";
-  part.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
+  part.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)))};
   part.X_WE = Pose::translation({1, 0, 1});
   const auto id = document.execute(workcell::AddEntity{part});
   ASSERT_TRUE(document.execute(workcell::Attach{*id, *robot, {}}).has_value());
-  std::vector<double> joints = document.find(*robot)->joints;
+  std::vector<double> joints = document.find(*robot)->joints();
   joints[0] += 0.5;
   const auto ghosts = robotGhosts(document.state(), *robot, joints, true);
   ASSERT_EQ(ghosts.size(), 2u);
@@ -77,7 +77,7 @@ TEST(ConfigurationModel, WritesAbbsFlagsShort) {
 
 TEST(ConfigurationModel, SaysHowTheArmStandsAndWhyARowIsOut) {
   const workcell::Entity robot = libraryRobot("kuka_kr16_2");
-  const std::vector<double> now = robot.joints;
+  const std::vector<double> now = robot.joints();
   kinematics::ListedSolution here, over, other;
   here.q = now;
   here.within_limits = here.is_now = true;
@@ -85,14 +85,14 @@ TEST(ConfigurationModel, SaysHowTheArmStandsAndWhyARowIsOut) {
   here.maker_flags = "S 2, T 2";
   over = here;
   over.is_now = over.within_limits = false;
-  over.q[1] = robot.robot->joints[static_cast<std::size_t>(robot.robot->moving[1])].upper + 0.2;
-  over.limiting_joint = robot.robot->moving[1];
+  over.q[1] = robot.robot()->joints[static_cast<std::size_t>(robot.robot()->moving[1])].upper + 0.2;
+  over.limiting_joint = robot.robot()->moving[1];
   other = here;
   other.is_now = false;
   other.q[0] += 1.0;
   other.q[3] -= 0.5;
   ConfigurationModel model;
-  model.setSolutions(robot.robot.get(), {here, other, over}, now, "KUKA");
+  model.setSolutions(robot.robot().get(), {here, other, over}, now, "KUKA");
   const auto text = [&](int row, int column) {
     return model.data(model.index(row, column), Qt::DisplayRole).toString();
   };

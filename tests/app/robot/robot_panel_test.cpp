@@ -131,7 +131,7 @@ TEST(RobotPanel, WhatStandsInTheWayIsNamedAndNotEntered) {
   const Pose X_WT = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
   workcell::Entity wall;
   wall.name = "Wall";
-  wall.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)));
+  wall.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)))};
   wall.X_WE = Pose::translation({X_WT.p.x, -0.9, X_WT.p.z});
   page.add(wall);
   page.window().selection().set(robot);
@@ -160,7 +160,7 @@ TEST(RobotPanel, PairsThatARuleLeavesOutStopNoJog) {
   const auto without = ways();
   workcell::Entity wall;
   wall.name = "Wall";
-  wall.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)));
+  wall.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)))};
   wall.X_WE = Pose::translation({X_WT.p.x, -0.9, X_WT.p.z});
   page.add(wall);
   const workcell::PairRule left_out{.first = name, .second = "Wall", .checked = false};
@@ -233,7 +233,7 @@ TEST(RobotPanel, TheAxisThatTheRobotStandsOnIsOfferedToGoAlong) {
   const workcell::Entity table = *page.selected();
   const workcell::EntityId robot = page.addRobot("ur5e");
   EXPECT_FALSE(page.find<QAbstractButton>("switchAxes")->isVisible());
-  ASSERT_TRUE(page.document().execute(workcell::Attach{robot, table.id, table.robot->links.back().name}));
+  ASSERT_TRUE(page.document().execute(workcell::Attach{robot, table.id, table.robot()->links.back().name}));
   page.settle();
   auto* go_along = page.find<QAbstractButton>("switchAxes");
   ASSERT_TRUE(go_along->isVisible());

@@ -151,7 +151,7 @@ class LookPage : public MannequinPage {
     window().resize(sizeWanted());
     workcell::Entity bench;
     bench.name = "Bench";
-    bench.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}));
+    bench.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}))};
     bench.X_WE.p = {0.6, 0.0, 0.9};
     add(bench);
     EXPECT_TRUE(addMannequin());

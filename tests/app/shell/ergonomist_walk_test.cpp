@@ -26,8 +26,9 @@ struct ErgonomistWalk : WalkPage {
   }
   /// How far the palm that is nearest is from the part.
   double handToPart(mannequin::Side side) {
-    const auto pose = mannequin::forwardKinematics(*person().figure, postureOf(person()));
-    const dvec3 grip_W = mannequin::handPose(pose, side) * person().figure->p_HandGrip[static_cast<std::size_t>(side)];
+    const auto pose = mannequin::forwardKinematics(*person().figure(), postureOf(person()));
+    const dvec3 grip_W =
+        mannequin::handPose(pose, side) * person().figure()->p_HandGrip[static_cast<std::size_t>(side)];
     const geometry::Bounds bounds = window().viewport().scene().boundsOf_W(cover().id);
     return glm::distance(glm::clamp(grip_W, bounds.min, bounds.max), grip_W);
   }

@@ -24,7 +24,7 @@ class StillPage : public MannequinPage {
     window().resize(1600, 1000);
     workcell::Entity bench;
     bench.name = "Bench";
-    bench.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}));
+    bench.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}))};
     bench.X_WE.p = {0.6, 0.0, 0.9};
     add(bench);
     window().viewport().setUpdatesEnabled(false);  // The panels are what is looked at.

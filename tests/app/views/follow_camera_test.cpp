@@ -15,13 +15,13 @@ class FollowPage : public MannequinPage {
  public:
   const Camera& camera() { return window().viewport().camera(); }
   void turnFirstJoint(workcell::EntityId id, double angle) {
-    std::vector<double> joints = document().document().find(id)->joints;
+    std::vector<double> joints = document().document().find(id)->joints();
     joints[0] += angle;
     EXPECT_TRUE(document().execute(workcell::SetJoints{id, joints}));
   }
   dvec3 tool(workcell::EntityId id) {
     const workcell::Entity& robot = *document().document().find(id);
-    return tcpPose_W(robot, robot.X_WE, robot.joints).p;
+    return tcpPose_W(robot, robot.X_WE, robot.joints()).p;
   }
 };
 
@@ -50,9 +50,9 @@ TEST(FollowCamera, LooksThroughTheEyesAndComesBack) {
   ASSERT_TRUE(page.addMannequin());
   const Camera before = page.camera();
   const workcell::Entity& person = *page.selected();
-  const auto posture = mannequin::toPosture(*person.figure, {person.X_WE, person.joints});
+  const auto posture = mannequin::toPosture(*person.figure(), {person.X_WE, person.joints()});
   const Pose X_WEyes =
-      mannequin::eyePose(*person.figure, mannequin::forwardKinematics(*person.figure, posture), posture.gaze);
+      mannequin::eyePose(*person.figure(), mannequin::forwardKinematics(*person.figure(), posture), posture.gaze);
   page.trigger("actionFollowEyes");
   EXPECT_TRUE(WindowPage::until([&] { return glm::length(page.camera().eye_W() - X_WEyes.p) < 1e-6; }, 20000));
   page.trigger("actionFollowNothing");

@@ -22,10 +22,9 @@ std::vector<workcell::Entity> armAndWall(double wall_angle) {
   workcell::Entity arm;
   arm.id = 1;
   arm.name = "arm";
-  arm.kind = workcell::EntityKind::kRobot;
-  arm.robot = std::make_shared<const kinematics::RobotModel>(std::move(model));
-  arm.joints = {0.0};
-  arm.tip_link = "j1_link";
+  arm.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(model)),
+                              .joints = {0.0},
+                              .tip_link = "j1_link"}};
   const dquat turned = glm::angleAxis(wall_angle, dvec3(0, 0, 1));
   return {arm, test::solid(2, "wall", geometry::makeBox({0.2, 1e-4, 0.2}), {turned * dvec3(0.8, 0, 0), turned})};
 }
@@ -65,7 +64,7 @@ TEST(JointMotion, PlacesAreAskedWithoutTheWay) {
 
 TEST(JointMotion, WhatPassesDoesNotStopIt) {
   std::vector<workcell::Entity> cell = armAndWall(1.0);
-  cell[0].on_contact = workcell::OnContact::kPass;
+  cell[0].contact.on_contact = workcell::OnContact::kPass;
   const auto motion = checkJointMotion(sceneOf(cell), 1, {2.0}, {});
   ASSERT_TRUE(motion);
   EXPECT_TRUE(motion->complete);

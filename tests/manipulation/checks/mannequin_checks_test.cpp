@@ -19,7 +19,7 @@ using test::worker;
 TEST(TargetSight, AWallHidesWhatIsBehindIt) {
   const workcell::Entity entity = worker("standing");
   const workcell::Entity target = box(8, "target", dvec3(0.2), {2.0, 0.0, 1.6});
-  const auto posture = mannequin::toPosture(*entity.figure, {entity.X_WE, entity.joints});
+  const auto posture = mannequin::toPosture(*entity.figure(), {entity.X_WE, entity.joints()});
   const auto free = PreparedScene::prepare({entity, target}, {}, {});
   const TargetSight seen = sightOfTarget(*free, entity, posture, 8);
   EXPECT_NEAR(seen.seen, 1.0, 1e-12);

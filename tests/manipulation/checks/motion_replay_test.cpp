@@ -26,16 +26,16 @@ workcell::Entity libraryRobot(const std::string& name) {
   EXPECT_TRUE(entity.has_value());
   entity->id = 1;
   entity->name = "robot";
-  entity->joints = kinematics::restPositions(*entity->robot);
+  entity->setJoints(kinematics::restPositions(*entity->robot()));
   return *entity;
 }
 
 Pose toolOf(const workcell::Entity& robot, const std::vector<double>& joints) {
-  int tip = robot.robot->findLink(robot.tip_link);
-  if (tip < 0) tip = robot.robot->defaultTip();
+  int tip = robot.robot()->findLink(robot.jointed().tip_link);
+  if (tip < 0) tip = robot.robot()->defaultTip();
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*robot.robot, joints, X_BL);
-  return robot.X_WE * X_BL[static_cast<std::size_t>(tip)] * robot.X_LT;
+  kinematics::forwardKinematics(*robot.robot(), joints, X_BL);
+  return robot.X_WE * X_BL[static_cast<std::size_t>(tip)] * robot.jointed().X_LT;
 }
 
 TEST(MotionReplay, BringsARobotWhereThePosesSay) {
@@ -44,9 +44,9 @@ TEST(MotionReplay, BringsARobotWhereThePosesSay) {
   Trajectory with, without;
   with.entity = without.entity = "robot";
   with.moved = without.moved = "tcp";
-  for (const int joint : robot.robot->moving)
-    with.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
-  std::vector<double> start = robot.joints;
+  for (const int joint : robot.robot()->moving)
+    with.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
+  std::vector<double> start = robot.joints();
   // Bent, and away from the straight wrist on the whole way.
   start[1] = -1.3;
   start[2] = 1.4;
@@ -78,10 +78,10 @@ TEST(MotionReplay, PosesAndJointsAgreeAfterEither) {
   Trajectory motion;
   motion.entity = "robot";
   motion.moved = "tcp";
-  for (const int joint : robot.robot->moving)
-    motion.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    motion.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   for (int i = 0; i <= 20; ++i) {
-    std::vector<double> q = robot.joints;
+    std::vector<double> q = robot.joints();
     q[0] += 0.02 * i;
     q[4] += 0.5 + 0.01 * i;
     Pose X_WT = toolOf(robot, q);
@@ -187,10 +187,10 @@ TEST(RetimedByJoints, PassesTheGivenPlacesOfTheTool) {
   Trajectory motion;
   motion.entity = "robot";
   motion.moved = "tcp";
-  for (const int joint : robot.robot->moving)
-    motion.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    motion.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   for (int i = 0; i <= 6; ++i) {
-    std::vector<double> q = robot.joints;
+    std::vector<double> q = robot.joints();
     for (std::size_t j = 0; j < q.size(); ++j) q[j] += 0.3 * ((i * (static_cast<int>(j) + 2)) % 5);
     motion.addFrame({0.5 * i, toolOf(robot, q)}, q);
   }
@@ -248,10 +248,10 @@ TEST(PathCheck, TellsWhereTheArmChangesItsConfiguration) {
   ASSERT_TRUE(chain.has_value());
   Trajectory motion;
   motion.entity = "robot";
-  for (const int joint : robot.robot->moving)
-    motion.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    motion.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   for (int i = 0; i <= 20; ++i) {
-    std::vector<double> q = robot.joints;
+    std::vector<double> q = robot.joints();
     q[4] = 0.4 - 0.04 * i;  // The wrist goes through its straight position.
     motion.addFrame({0.1 * i, toolOf(robot, q)}, q);
   }

@@ -126,10 +126,7 @@ workcell::Entity slide() {
   workcell::Entity entity;
   entity.id = 1;
   entity.name = "slide";
-  entity.kind = workcell::EntityKind::kRobot;
-  entity.robot = model;
-  entity.joints = {0.0};
-  entity.tip_link = "carriage";
+  entity.body = workcell::Robot{{.model = model, .joints = {0.0}, .tip_link = "carriage"}};
   return entity;
 }
 
@@ -163,10 +160,10 @@ kinematics::LinkShape boxShape(const dvec3& size, const dvec3& p_L) {
 /// comes.
 std::vector<workcell::Entity> carryingCell() {
   workcell::Entity robot = slide();
-  auto model = std::make_shared<kinematics::RobotModel>(*robot.robot);
+  auto model = std::make_shared<kinematics::RobotModel>(*robot.robot());
   model->links[0].collisions = {boxShape(dvec3(0.02), {-0.3, 0.0, 0.4})};
   model->links[1].collisions = {boxShape(dvec3(0.1), dvec3(0.0))};
-  robot.robot = model;
+  robot.editJointed().model = model;
   workcell::Entity gripper =
       solid(2, "gripper", geometry::makeBox({0.1, 0.1, 0.75}), Pose::translation({0.0, 0.0, 0.4}));
   gripper.attachment = {"slide", "carriage", gripper.X_WE};  // It reaches into the carriage it is screwed to.
@@ -223,9 +220,9 @@ TEST(PathCheck, WhatARobotCarriesIsCheckedAgainstItsOtherLinks) {
   const auto free = checkPath(PreparedScene::prepare(cell, {}, {}), "slide", sliding({{0.0, 0.0}, {1.0, 0.5}}), {}, {});
   ASSERT_TRUE(free && free->findings.empty());
   EXPECT_TRUE(std::isinf(free->least_clearance)) << "nothing stands in the cell";
-  auto model = std::make_shared<kinematics::RobotModel>(*cell[0].robot);
+  auto model = std::make_shared<kinematics::RobotModel>(*cell[0].robot());
   model->joints[0].lower = -0.5;
-  cell[0].robot = model;
+  cell[0].editJointed().model = model;
   const auto met = checkPath(PreparedScene::prepare(cell, {}, {}), "slide", sliding({{0.0, 0.0}, {1.0, -0.2}}), {}, {});
   ASSERT_TRUE(met && !met->findings.empty());
   EXPECT_EQ(met->findings[0].first, "part");

@@ -68,9 +68,9 @@ TEST(StartInside, ASolidComesOutTheShortestWay) {
 
 TEST(StartInside, AnOpenSoupIsToldByItsWindingNumber) {
   auto entities = test::boxOverTable(-0.07);  // Its top is 10 mm under the table's: no triangles meet.
-  geometry::TriangleMesh open = *entities[0].mesh;
+  geometry::TriangleMesh open = *entities[0].mesh();
   open.triangles.pop_back();
-  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
+  entities[0].body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(open)};
   HandLink link;
   ManipulationEngine engine(link, {});
   engine.apply(command::SetDocument{entities, {}});
@@ -79,7 +79,7 @@ TEST(StartInside, AnOpenSoupIsToldByItsWindingNumber) {
   // Nothing touches, so nothing is told; the surface is met from its inner side.
   EXPECT_TRUE(engine.held()->notes().empty());
   entities = test::boxOverTable(-0.055);
-  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
+  entities[0].body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(open)};
   leadsOut(entities, "(an open mesh: judged by its winding number)", {0, 0, 1});
 }
 

@@ -53,11 +53,11 @@ TEST(PoseJoints, TheGloveClosesTheHandInFreeAir) {
 
 TEST(PoseJoints, FingersStopAtWhatTheyGraspAndTellIt) {
   const workcell::Entity figure = worker("both_hands_forward");
-  const Pose hand = gripOf(figure, {figure.X_WE, figure.joints}, mannequin::Side::kRight);
+  const Pose hand = gripOf(figure, {figure.X_WE, figure.joints()}, mannequin::Side::kRight);
   workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox({0.03, 0.03, 0.03}), {});
-  bar.X_WE.p = hand * figure.figure->p_HandGrip[1];
+  bar.X_WE.p = hand * figure.figure()->p_HandGrip[1];
   workcell::Entity open = figure;
-  for (const std::size_t joint : rightHandJoints()) open.joints[joint] = 0.0;
+  for (const std::size_t joint : rightHandJoints()) open.editJointed().joints[joint] = 0.0;
   GlovedWorker gloved({open, bar});
   gloved.pose(1.5, 0.8);
   EXPECT_LT(gloved.curl(), 1.4) << "the fingers went through the bar";
@@ -90,9 +90,9 @@ TEST(PoseJoints, TheStylusHoldsTheFigureMeanwhile) {
 /// However the stylus holds the figure, the glove's fingers are checked: a rigid whole is taken anew with its joints.
 TEST(PoseJoints, FingersStopAlsoWhileTheWholeFigureIsHeld) {
   const workcell::Entity figure = worker("both_hands_forward");
-  const Pose hand = gripOf(figure, {figure.X_WE, figure.joints}, mannequin::Side::kRight);
+  const Pose hand = gripOf(figure, {figure.X_WE, figure.joints()}, mannequin::Side::kRight);
   workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox({0.03, 0.03, 0.03}), {});
-  bar.X_WE.p = hand * figure.figure->p_HandGrip[1];
+  bar.X_WE.p = hand * figure.figure()->p_HandGrip[1];
   GlovedWorker gloved({figure, bar});
   gloved.engine.apply(command::SetMovedBy{by::Whole{}});
   gloved.engine.apply(command::Grab{kWorker});
@@ -158,14 +158,14 @@ TEST(PoseJoints, AFreeHandClosesRoundWhatIsInItAndIsCarriedByTheStylus) {
   Diagnostics diagnostics;
   workcell::Entity hand = *loader.load("hand:right", 1.0, diagnostics);
   hand.id = kWorker;
-  const auto figure = worker("standing").figure;
+  const auto figure = worker("standing").figure();
   workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.041)), {});
   bar.X_WE.p = figure->p_HandGrip[1];
   GlovedWorker gloved({hand, bar});
   mannequin::GloveReadings fist;
   fist.fill(1.57);
   fist[3] = fist[10] = fist[14] = fist[18] = 0.0;
-  command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(fist, *hand.robot), {}};
+  command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(fist, *hand.robot()), {}};
   for (std::size_t i = 0; i < wanted.joints.size(); ++i) wanted.fingers.push_back({i});
   gloved.engine.apply(wanted);
   gloved.step(60);
@@ -196,14 +196,14 @@ struct FistRoundABar {
     hand = *loader.load("hand:right", 1.0, diagnostics);
     hand.id = kWorker;
     bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.041)), {});
-    bar.X_WE.p = worker("standing").figure->p_HandGrip[1];
+    bar.X_WE.p = worker("standing").figure()->p_HandGrip[1];
     bar.locked = true;
   }
   command::PoseJoints pose(double bend) const {
     mannequin::GloveReadings angles;
     angles.fill(bend);
     angles[3] = angles[10] = angles[14] = angles[18] = 0.0;
-    command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(angles, *hand.robot), {}};
+    command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(angles, *hand.robot()), {}};
     for (std::size_t i = 0; i < wanted.joints.size(); ++i) wanted.fingers.push_back({i});
     return wanted;
   }
@@ -249,7 +249,7 @@ TEST(PoseJoints, NoChangeOfTheDocumentLetsAFingerThrough) {
     for (int change = 0; change < 40; ++change) {
       gloved.step(change % 3);
       workcell::Entity hand = cell.hand, bar = cell.bar;
-      if (kept) hand.joints = gloved.engine.placement(kWorker).joints;
+      if (kept) hand.setJoints(gloved.engine.placement(kWorker).joints);
       bar.locked = change % 2 == 0;
       bar.name = "bar " + std::to_string(change);
       const double before = FistRoundABar::bent(gloved.engine.placement(kWorker).joints);

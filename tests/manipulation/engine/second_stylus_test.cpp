@@ -44,7 +44,7 @@ TEST(SecondStylus, EachDrawsAHandOfTheSameMannequin) {
 
 TEST(SecondStylus, WhatOneHandTouchesIsFeltByThatHandAlone) {
   const workcell::Entity figure = worker("both_hands_forward");
-  const Pose left = gripOf(figure, {figure.X_WE, figure.joints}, mannequin::Side::kLeft);
+  const Pose left = gripOf(figure, {figure.X_WE, figure.joints()}, mannequin::Side::kLeft);
   workcell::Entity shelf = test::solid(kShelf, "shelf", geometry::makeBox({0.4, 0.2, 0.02}), {});
   shelf.X_WE.p = left.p + dvec3(0.0, 0.05, 0.08);
   TwoStations two({figure, shelf});

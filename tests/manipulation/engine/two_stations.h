@@ -25,15 +25,15 @@ inline workcell::Entity worker(const char* posture) {
   workcell::Entity entity = *loader.load("mannequin:male:50", 1.0, diagnostics);
   entity.id = kWorker;
   entity.name = "worker";
-  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  const auto model = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), posture));
   entity.X_WE = model.X_WE;
-  entity.joints = model.joints;
+  entity.setJoints(model.joints);
   return entity;
 }
 
 inline Pose gripOf(const workcell::Entity& figure, const EntityConfiguration& at, mannequin::Side side) {
   const auto pose =
-      mannequin::forwardKinematics(*figure.figure, mannequin::toPosture(*figure.figure, {at.X_WE, at.joints}));
+      mannequin::forwardKinematics(*figure.figure(), mannequin::toPosture(*figure.figure(), {at.X_WE, at.joints}));
   return mannequin::handPose(pose, side);
 }
 

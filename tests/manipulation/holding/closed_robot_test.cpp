@@ -27,7 +27,7 @@ struct Robot {
 
 Robot closedRobot(const std::string& name) {
   Robot robot;
-  robot.model = load(name).robot;
+  robot.model = load(name).robot();
   const int tip = robot.model->defaultTip();
   std::vector<int> links;
   for (std::size_t k = 0; k < robot.model->links.size(); ++k) links.push_back(static_cast<int>(k));
@@ -112,7 +112,7 @@ TEST(Carried, AGrippedPartMovesWithTheRobotAndStopsAtWhatItMeets) {
     workcell::Entity entity = load(what);
     entity.name = name;
     entity.X_WE = X_WE;
-    if (entity.robot) entity.joints.assign(entity.robot->dof(), 0.0);  // The flange ahead.
+    if (entity.robot()) entity.editJointed().joints.assign(entity.robot()->dof(), 0.0);  // The flange ahead.
     return document.execute(workcell::AddEntity{std::move(entity)}).value();
   };
   const auto robot = add("library:fanuc_lr_mate_200id", "robot", {});

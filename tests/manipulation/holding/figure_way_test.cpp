@@ -18,9 +18,9 @@ workcell::Entity hangingFigure(const char* body) {
   workcell::Entity entity = *workcell::EntityLoader(".").load(body, 1.0, diagnostics);
   entity.id = 7;
   entity.name = "worker";
-  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, "standing"));
+  const auto model = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), "standing"));
   entity.X_WE = model.X_WE;
-  entity.joints = model.joints;
+  entity.setJoints(model.joints);
   return entity;
 }
 
@@ -59,7 +59,7 @@ const std::vector<Gesture> kGestures = {
 
 void expectAllReached(const char* body, bool steps) {
   const workcell::Entity entity = hangingFigure(body);
-  const double stature = entity.figure->body[mannequin::Dimension::kStature];
+  const double stature = entity.figure()->body[mannequin::Dimension::kStature];
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   for (const Gesture& gesture : kGestures) {
     for (const HoldOptions& hold :
@@ -112,7 +112,7 @@ void expectAllOfASweep(const char* body, const HoldOptions& hold, const char* na
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   auto way = FigureWay::take(scene, entity.id, hold, FigureWay::Turn::kWithTheForearm, {});
   ASSERT_TRUE(way) << way.error().message();
-  for (const dvec3& p : reachablePlaces(*entity.figure, 3, seed)) {
+  for (const dvec3& p : reachablePlaces(*entity.figure(), 3, seed)) {
     const FigureWay::Reach reach = drawn(**way, p - (*way)->follow().X_WM.p);
     EXPECT_LT(reach.short_m, 0.01) << body << ", " << name << ", to " << p.x << " " << p.y << " " << p.z << " "
                                    << reach.obstacle;
@@ -131,7 +131,7 @@ int leftShortOfWalks(const char* body, bool apart, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto unit = [&] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
   const workcell::Entity entity = hangingFigure(body);
-  const double stature = entity.figure->body[mannequin::Dimension::kStature];
+  const double stature = entity.figure()->body[mannequin::Dimension::kStature];
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   auto way =
       FigureWay::take(scene, entity.id, holding(by::BothHands{apart, true}), FigureWay::Turn::kWithTheForearm, {});
@@ -201,7 +201,7 @@ TEST(FigureWay, WhatAnotherPartHoldsUpIsNotGoneRound) {
   workcell::Entity board;
   board.id = 8;
   board.name = "board";
-  board.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 1.6, 0.03}));
+  board.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 1.6, 0.03}))};
   board.X_WE.p = {0.75, 0.0, 1.3};
   const auto scene = PreparedScene::prepare({entity, board}, {}, {});
   auto way =

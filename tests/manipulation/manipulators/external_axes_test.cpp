@@ -41,16 +41,15 @@ Cell cellWith(workcell::MechanismJointType type) {
   cell.axis = cell.document.execute(workcell::MakeMechanism{"axis", {bed, plate}, {joint}}).value();
   workcell::Entity robot;
   robot.name = "robot";
-  robot.kind = workcell::EntityKind::kRobot;
-  robot.robot = std::make_shared<const kinematics::RobotModel>(kinematics::test::ur5e());
-  robot.joints = {0.2, -0.9, 1.0, 0.3, 1.1, 0.1};
-  robot.tip_link = "flange";
+  robot.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(kinematics::test::ur5e()),
+                                .joints = {0.2, -0.9, 1.0, 0.3, 1.1, 0.1},
+                                .tip_link = "flange"}};
   robot.X_WE = Pose::translation({0.0, 0.0, -0.32});
   cell.robot = add(cell.document, std::move(robot));
   EXPECT_TRUE(cell.document.execute(workcell::Attach{cell.robot, cell.axis, "plate"}));
   std::vector<Pose> X_BL;
   const workcell::Entity& placed = *cell.document.find(cell.robot);
-  kinematics::forwardKinematics(*placed.robot, placed.joints, X_BL);
+  kinematics::forwardKinematics(*placed.robot(), placed.joints(), X_BL);
   cell.part = add(cell.document, test::solid(0, "part", geometry::makeBox(dvec3(0.04)), placed.X_WE * X_BL.back()));
   EXPECT_TRUE(cell.document.execute(workcell::Attach{cell.part, cell.robot, "flange"}));
   return cell;
@@ -173,12 +172,12 @@ TEST(ExternalAxes, ACheckOfAMotionTakesTheAxesMotionsAlong) {
   const auto scene = PreparedScene::prepare(cell.document.snapshotEntities(), {}, {});
 
   trajectory::Trajectory arm, rail;
-  for (const int joint : robot.robot->moving)
-    arm.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    arm.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   rail.joint_names = {"drive"};
   rail.entity = "axis";
   for (const double x : {0.0, 0.8}) {
-    arm.addFrame({x, Pose{X_WT.p + dvec3(x, 0.0, 0.0), X_WT.q}}, robot.joints);
+    arm.addFrame({x, Pose{X_WT.p + dvec3(x, 0.0, 0.0), X_WT.q}}, robot.joints());
     rail.addFrame({x, Pose::identity()}, std::span(&x, 1));
   }
   const auto still = checkPath(scene, "robot", arm, {}, {});

@@ -17,9 +17,9 @@ workcell::Entity worker() {
   workcell::Entity entity = *workcell::EntityLoader(".").load("mannequin:male:50", 1.0, diagnostics);
   entity.id = 7;
   entity.name = "worker";
-  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, "standing"));
+  const auto model = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), "standing"));
   entity.X_WE = model.X_WE;
-  entity.joints = model.joints;
+  entity.setJoints(model.joints);
   return entity;
 }
 

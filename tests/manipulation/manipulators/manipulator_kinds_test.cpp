@@ -78,9 +78,9 @@ struct Taken {
   explicit Taken(workcell::Entity made) : entity(std::move(made)) {
     entity.id = 1;
     scene = PreparedScene::prepare({entity}, {}, {});
-    stands = {entity.X_WE, entity.joints};
-    parts.resize(std::max<std::size_t>(1, entity.robot ? entity.robot->links.size() : 1));
-    for (std::size_t i = 0; entity.robot && i < parts.size(); ++i) parts[i].link = static_cast<int>(i);
+    stands = {entity.X_WE, entity.joints()};
+    parts.resize(std::max<std::size_t>(1, entity.robot() ? entity.robot()->links.size() : 1));
+    for (std::size_t i = 0; entity.robot() && i < parts.size(); ++i) parts[i].link = static_cast<int>(i);
   }
   Expected<std::unique_ptr<Manipulator>> heldBy(const MovedBy& moved_by,
                                                 std::span<const ManipulatorKind> kinds = manipulatorKinds()) const {
@@ -102,7 +102,8 @@ workcell::Entity loaded(const char* source) {
   Diagnostics diagnostics;
   auto entity = workcell::EntityLoader({}).load(source, 0.0, diagnostics);
   EXPECT_TRUE(entity.has_value());
-  if (entity && entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);
+  if (entity && entity->robot() && entity->joints().empty())
+    entity->setJoints(kinematics::restPositions(*entity->robot()));
   return entity ? *entity : workcell::Entity();
 }
 
@@ -120,7 +121,7 @@ TEST(ManipulatorKinds, ASolidIsMovedAsAWholeAndSaysWhatElseGoes) {
 TEST(ManipulatorKinds, ARobotIsMovedByItsToolOrItsBase) {
   const Taken robot(loaded("library:hc6"));
   EXPECT_TRUE(is<RobotManipulator>(robot.heldBy(by::Default{})));
-  EXPECT_TRUE(is<RobotManipulator>(robot.heldBy(by::Frame{robot.entity.robot->links[3].name})));
+  EXPECT_TRUE(is<RobotManipulator>(robot.heldBy(by::Frame{robot.entity.robot()->links[3].name})));
   EXPECT_TRUE(is<SolidManipulator>(robot.heldBy(by::Base{})));
   EXPECT_TRUE(is<RobotBaseManipulator>(robot.heldBy(by::Base{.keeps_tool = true})));
   EXPECT_FALSE(robot.heldBy(by::Head{}));

@@ -21,21 +21,21 @@ workcell::Entity mannequinEntity(const char* posture, const char* body = "manneq
   workcell::Entity entity = *loader.load(body, 1.0, diagnostics);
   entity.id = 7;
   entity.name = "worker";
-  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  const auto model = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), posture));
   entity.X_WE = model.X_WE;
-  entity.joints = model.joints;
+  entity.setJoints(model.joints);
   return entity;
 }
 
 MannequinManipulator manipulatorOf(const workcell::Entity& entity, Hands hands, bool lock_trunk,
                                    std::vector<int>& links) {
   links.clear();
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
-    if (!entity.robot->links[i].collisions.empty()) links.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
+    if (!entity.robot()->links[i].collisions.empty()) links.push_back(static_cast<int>(i));
   }
   std::vector<MannequinManipulator::Part> parts;
   for (const int link : links) parts.push_back({link, {}});
-  return {entity.figure, entity.robot, hands, {lock_trunk, false}, {entity.X_WE, entity.joints}, parts};
+  return {entity.figure(), entity.robot(), hands, {lock_trunk, false}, {entity.X_WE, entity.joints()}, parts};
 }
 
 TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
@@ -43,7 +43,7 @@ TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
   std::vector<int> links;
   for (const Hands hands : {Hands::kLeft, Hands::kRight, Hands::kBoth}) {
     const MannequinManipulator manipulator = manipulatorOf(entity, hands, false, links);
-    const EntityConfiguration start{entity.X_WE, entity.joints};
+    const EntityConfiguration start{entity.X_WE, entity.joints()};
     Pose wanted = manipulator.movedFrame(start);
     wanted.p += dvec3(0.02, 0.01, -0.03);
     const EntityConfiguration moved = manipulator.propose(start, wanted, 1.0);
@@ -52,7 +52,7 @@ TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
     manipulator.partPoses(start, before);
     manipulator.partPoses(moved, after);
     for (std::size_t k = 0; k < links.size(); ++k) {
-      const std::string& name = entity.robot->links[static_cast<std::size_t>(links[k])].name;
+      const std::string& name = entity.robot()->links[static_cast<std::size_t>(links[k])].name;
       if (name.find("foot") != std::string::npos) {
         EXPECT_LT(glm::length(before[k].p - after[k].p), 3e-4) << name;
       }
@@ -64,7 +64,7 @@ TEST(MannequinManipulator, NoPointMovesFartherThanItsBound) {
   const workcell::Entity entity = mannequinEntity("reaching");
   std::vector<int> links;
   const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, false, links);
-  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
   Pose wanted = manipulator.movedFrame(start);
   wanted.p += dvec3(-0.05, 0.04, 0.06);
   const EntityConfiguration end = manipulator.propose(start, wanted, 1.0);
@@ -92,7 +92,7 @@ TEST(MannequinManipulator, TheEndOfTheReachIsALimitAndNamesTheMillimetres) {
   const workcell::Entity entity = mannequinEntity("both_hands_forward");
   std::vector<int> links;
   const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, true, links);
-  EntityConfiguration configuration{entity.X_WE, entity.joints};
+  EntityConfiguration configuration{entity.X_WE, entity.joints()};
   EXPECT_TRUE(manipulator.limits(configuration, 0.05, 0.05).empty());
   Pose wanted = manipulator.movedFrame(configuration);
   for (int i = 0; i < 200; ++i) {
@@ -113,7 +113,7 @@ TEST(MannequinManipulator, HangingArmsAreNotAtTheEndOfTheReachWhateverTheScaleOf
   for (const Hands hands : {Hands::kLeft, Hands::kRight, Hands::kBoth, Hands::kBothApart}) {
     for (const double way : {-0.001, 0.001}) {  // Down and up: the trunk bends, the arms do.
       const MannequinManipulator manipulator = manipulatorOf(entity, hands, false, links);
-      EntityConfiguration configuration{entity.X_WE, entity.joints};
+      EntityConfiguration configuration{entity.X_WE, entity.joints()};
       Pose wanted = manipulator.movedFrame(configuration);
       for (int i = 0; i <= 60; ++i) {
         configuration = manipulator.propose(configuration, wanted, 1.0);
@@ -131,7 +131,7 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
   const workcell::Entity entity = mannequinEntity("both_hands_forward");
   std::vector<int> links;
   const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, true, links);
-  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
   const auto parts = manipulator.differentiate(start);
   Pose wanted = manipulator.movedFrame(start);
   wanted.p.z += 2e-4;
@@ -139,7 +139,7 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
   manipulator.partPoses(start, before);
   manipulator.partPoses(manipulator.propose(start, wanted, 1.0), after);
   for (std::size_t k = 0; k < links.size(); ++k) {
-    const std::string& name = entity.robot->links[static_cast<std::size_t>(links[k])].name;
+    const std::string& name = entity.robot()->links[static_cast<std::size_t>(links[k])].name;
     if (name != "r_hand" && name != "r_index2") continue;
     EXPECT_LT(glm::length(after[k].p - before[k].p - 2e-4 * parts[k].velocity[2].linear), 2e-5) << name;
   }
@@ -147,10 +147,10 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
 
 TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
   workcell::Entity worker = mannequinEntity("both_hands_forward");
-  const int hand = worker.robot->findLink("r_hand");
+  const int hand = worker.robot()->findLink("r_hand");
   ASSERT_GE(hand, 0);
   std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*worker.robot, worker.joints, X_EL);
+  kinematics::forwardKinematics(*worker.robot(), worker.joints(), X_EL);
   const Pose X_WHand = worker.X_WE * X_EL[static_cast<std::size_t>(hand)];
   const Pose X_LP = Pose::translation({0.05, -0.02, -0.1});
   workcell::Entity bar = test::solid(3, "bar", geometry::makeBox({0.02, 0.02, 0.3}), X_WHand * X_LP);
@@ -177,7 +177,7 @@ TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
     const auto carried = (*held)->carried();
     ASSERT_EQ(carried.size(), 1u);
     std::vector<Pose> X_EL2;
-    kinematics::forwardKinematics(*worker.robot, (*held)->accepted().joints, X_EL2);
+    kinematics::forwardKinematics(*worker.robot(), (*held)->accepted().joints, X_EL2);
     const Pose there = (*held)->accepted().X_WE * X_EL2[static_cast<std::size_t>(hand)] * X_LP;
     EXPECT_LT(test::placeError(carried[0].second.X_WE, there), 1e-9) << "it stays in the hand";
   }
@@ -188,8 +188,9 @@ constexpr double kRate = 50.0;
 
 TEST(MannequinSession, AHandLaidOnATableIsStoppedAndFelt) {
   workcell::Entity worker = mannequinEntity("both_hands_forward");
-  mannequin::Posture posture = mannequin::toPosture(*worker.figure, {worker.X_WE, worker.joints});
-  const Pose hand = mannequin::handPose(mannequin::forwardKinematics(*worker.figure, posture), mannequin::Side::kRight);
+  mannequin::Posture posture = mannequin::toPosture(*worker.figure(), {worker.X_WE, worker.joints()});
+  const Pose hand =
+      mannequin::handPose(mannequin::forwardKinematics(*worker.figure(), posture), mannequin::Side::kRight);
   std::vector<workcell::Entity> cell = {test::solid(1, "table", geometry::makeBox({0.5, 0.6, 0.04}),
                                                     Pose::translation({hand.p.x + 0.15, hand.p.y, hand.p.z - 0.11})),
                                         worker};

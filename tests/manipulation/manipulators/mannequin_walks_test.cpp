@@ -27,7 +27,7 @@ constexpr int kToComeAfter = 400;  ///< Ticks that the figure has to come after.
 class Walker {
  public:
   explicit Walker(Hands hands) : entity_(worker()), hand_(manipulatorOf(hands)) {
-    at_ = {entity_.X_WE, entity_.joints};
+    at_ = {entity_.X_WE, entity_.joints()};
     wanted_ = hand_.movedFrame(at_);
     taken_ = feet_ = feetNow();
   }
@@ -39,8 +39,8 @@ class Walker {
     const mannequin::FigurePose pose = poseNow();
     const FootPlaces before = std::exchange(feet_, feetNow());
     const auto support = mannequin::supportPolygon(
-        *entity_.figure, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
-    least_margin = std::min(least_margin, support.margin(glm::dvec2(mannequin::centerOfMass(*entity_.figure, pose))));
+        *entity_.figure(), {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
+    least_margin = std::min(least_margin, support.margin(glm::dvec2(mannequin::centerOfMass(*entity_.figure(), pose))));
     for (std::size_t k = 0; k < 2; ++k) {
       const double height = feet_[k].p.z - taken_[k].p.z;
       const dvec3 way = feet_[k].p - before[k].p;
@@ -82,18 +82,19 @@ class Walker {
     Diagnostics diagnostics;
     workcell::Entity entity = *workcell::EntityLoader(".").load("mannequin:male:50", 1.0, diagnostics);
     const auto model =
-        mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, "both_hands_forward"));
+        mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), "both_hands_forward"));
     entity.X_WE = model.X_WE;
-    entity.joints = model.joints;
+    entity.setJoints(model.joints);
     return entity;
   }
   MannequinManipulator manipulatorOf(Hands hands) const {
     MannequinManipulator::Locks locks;
     locks.may_step = true;
-    return {entity_.figure, entity_.robot, hands, locks, {entity_.X_WE, entity_.joints}, {}};
+    return {entity_.figure(), entity_.robot(), hands, locks, {entity_.X_WE, entity_.joints()}, {}};
   }
   mannequin::FigurePose poseNow() const {
-    return mannequin::forwardKinematics(*entity_.figure, mannequin::toPosture(*entity_.figure, {at_.X_WE, at_.joints}));
+    return mannequin::forwardKinematics(*entity_.figure(),
+                                        mannequin::toPosture(*entity_.figure(), {at_.X_WE, at_.joints}));
   }
   FootPlaces feetNow() const {
     const mannequin::FigurePose pose = poseNow();

@@ -24,20 +24,20 @@ using Hands = MannequinManipulator::Hands;
 
 std::vector<MannequinBody::Part> partsOf(const workcell::Entity& entity) {
   std::vector<MannequinBody::Part> parts;
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
-    if (!entity.robot->links[i].collisions.empty()) parts.push_back({static_cast<int>(i), {}});
+  for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
+    if (!entity.robot()->links[i].collisions.empty()) parts.push_back({static_cast<int>(i), {}});
   }
   return parts;
 }
 
 mannequin::FigurePose poseOf(const workcell::Entity& entity, const EntityConfiguration& at) {
-  return mannequin::forwardKinematics(*entity.figure, mannequin::toPosture(*entity.figure, {at.X_WE, at.joints}));
+  return mannequin::forwardKinematics(*entity.figure(), mannequin::toPosture(*entity.figure(), {at.X_WE, at.joints}));
 }
 
 TEST(MannequinHead, FollowsAndItsDifferentialTellsHow) {
   const workcell::Entity entity = worker("standing");
-  const MannequinHead head(entity.figure, entity.robot, false, partsOf(entity));
-  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const MannequinHead head(entity.figure(), entity.robot(), false, partsOf(entity));
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
   Pose wanted = head.movedFrame(start);
   wanted.p += dvec3(0.04, 0.02, -0.015);
   EntityConfiguration at = start;
@@ -58,8 +58,8 @@ TEST(MannequinHead, FollowsAndItsDifferentialTellsHow) {
 
 TEST(MannequinHead, ItsEndIsALimit) {
   const workcell::Entity entity = worker("standing");
-  const MannequinHead head(entity.figure, entity.robot, true, partsOf(entity));
-  EntityConfiguration at{entity.X_WE, entity.joints};
+  const MannequinHead head(entity.figure(), entity.robot(), true, partsOf(entity));
+  EntityConfiguration at{entity.X_WE, entity.joints()};
   Pose far = head.movedFrame(at);
   far.p.x += 0.5;
   for (int i = 0; i < 40; ++i) at = head.propose(at, far, 1.0);
@@ -68,8 +68,8 @@ TEST(MannequinHead, ItsEndIsALimit) {
 
 TEST(MannequinManipulator, HandsApartGoTheSameWayAndNothingIsHeldBetween) {
   const workcell::Entity entity = worker("both_hands_forward");
-  const EntityConfiguration start{entity.X_WE, entity.joints};
-  const MannequinManipulator both(entity.figure, entity.robot, Hands::kBothApart, {}, start, partsOf(entity));
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
+  const MannequinManipulator both(entity.figure(), entity.robot(), Hands::kBothApart, {}, start, partsOf(entity));
   Pose wanted = both.movedFrame(start);
   wanted.p += dvec3(-0.03, 0.02, 0.03);
   const EntityConfiguration moved = both.propose(start, wanted, 1.0);
@@ -82,10 +82,10 @@ TEST(MannequinManipulator, HandsApartGoTheSameWayAndNothingIsHeldBetween) {
 
 TEST(MannequinManipulator, OnASeatThePelvisStays) {
   const workcell::Entity entity = worker("seated");
-  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
   MannequinManipulator::Locks locks;
   locks.on_seat = true;
-  const MannequinManipulator hand(entity.figure, entity.robot, Hands::kRight, locks, start, partsOf(entity));
+  const MannequinManipulator hand(entity.figure(), entity.robot(), Hands::kRight, locks, start, partsOf(entity));
   Pose wanted = hand.movedFrame(start);
   wanted.p += dvec3(0.10, 0.0, 0.15);
   EntityConfiguration at = start;
@@ -109,10 +109,10 @@ double marginAfter(const std::vector<workcell::Entity>& cell, const dvec3& way) 
   const workcell::Entity& figure = cell.front();
   const auto pose = poseOf(figure, (*held)->accepted());
   std::array<mannequin::HandLoad, 2> loads{};
-  if (cell.size() > 1 && cell[1].attachment.to == figure.name) loads[1] = {cell[1].mass, {0.0, 0.0, -0.08}};
+  if (cell.size() > 1 && cell[1].attachment.to == figure.name) loads[1] = {cell[1].contact.mass, {0.0, 0.0, -0.08}};
   const auto support = mannequin::supportPolygon(
-      *figure.figure, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
-  return support.margin(glm::dvec2(mannequin::centerOfMass(*figure.figure, pose, loads)));
+      *figure.figure(), {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
+  return support.margin(glm::dvec2(mannequin::centerOfMass(*figure.figure(), pose, loads)));
 }
 
 TEST(HeldMannequin, LiftedFreeItIsNotHeldToBalanceOverFeetThatNothingBears) {
@@ -130,7 +130,7 @@ TEST(HeldMannequin, WhatItsHandCarriesCountsInTheBalance) {
   workcell::Entity standing = worker("both_hands_forward");
   workcell::Entity weight = box(9, "weight", dvec3(0.06), {0.0, 0.0, 0.0});
   weight.attachment = {standing.name, "r_hand", Pose::translation({0.0, 0.0, -0.08})};
-  weight.mass = 15.0;
+  weight.contact.mass = 15.0;
   EXPECT_GT(marginAfter({standing, weight}, {0.45, 0.0, -0.3}), -2e-3) << "15 kg held out";
 }
 

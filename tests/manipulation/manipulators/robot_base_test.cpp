@@ -123,10 +123,9 @@ TEST(RobotBase, IsAWayToMoveARobotInASession) {
   workcell::Entity robot;
   robot.id = 1;
   robot.name = "robot";
-  robot.kind = workcell::EntityKind::kRobot;
-  robot.robot = std::make_shared<const kinematics::RobotModel>(kinematics::test::ur5e());
-  robot.joints = {0.2, -0.9, 1.0, 0.3, 1.1, 0.1};
-  robot.tip_link = robot.robot->links.back().name;
+  robot.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(kinematics::test::ur5e()),
+                                .joints = {0.2, -0.9, 1.0, 0.3, 1.1, 0.1}}};
+  robot.editJointed().tip_link = robot.robot()->links.back().name;
   SessionOptions options = test::sessionOf(
       {robot}, "robot",
       test::handThrough({{0.0, dvec3(0.0)}, {0.3, dvec3(0.0)}, {1.2, {0.03, 0.02, -0.02}}, {1.6, {0.03, 0.02, -0.02}}}),
@@ -136,8 +135,8 @@ TEST(RobotBase, IsAWayToMoveARobotInASession) {
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
   std::vector<Pose> before, after;
-  kinematics::forwardKinematics(*robot.robot, robot.joints, before);
-  kinematics::forwardKinematics(*robot.robot, report->end.configuration.joints, after);
+  kinematics::forwardKinematics(*robot.robot(), robot.joints(), before);
+  kinematics::forwardKinematics(*robot.robot(), report->end.configuration.joints, after);
   EXPECT_GT(glm::length(report->end.configuration.X_WE.p), 0.02);
   EXPECT_LT(glm::length(report->end.configuration.X_WE * after.back().p - before.back().p), 1e-5);
 }

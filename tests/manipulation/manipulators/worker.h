@@ -15,9 +15,9 @@ inline workcell::Entity worker(const char* posture) {
   workcell::Entity entity = *workcell::EntityLoader(".").load("mannequin:male:50", 1.0, diagnostics);
   entity.id = 7;
   entity.name = "worker";
-  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  const auto model = mannequin::toModel(*entity.figure(), *mannequin::libraryPosture(*entity.figure(), posture));
   entity.X_WE = model.X_WE;
-  entity.joints = model.joints;
+  entity.setJoints(model.joints);
   return entity;
 }
 
@@ -25,7 +25,7 @@ inline workcell::Entity box(workcell::EntityId id, const char* name, const dvec3
   workcell::Entity entity;
   entity.id = id;
   entity.name = name;
-  entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size));
+  entity.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size))};
   entity.X_WE.p = p_W;
   return entity;
 }

@@ -47,7 +47,7 @@ TEST(PreparedScene, WhatWasReadyWhenItWasCancelledIsNotMadeAgain) {
   EXPECT_EQ(scene->parts()[0].mesh.collider, first->parts()[0].mesh.collider);
   PreparationProgress whole;
   ASSERT_NE(PreparedScene::prepare(entities, {}, {}, progress.given_up.get(), &whole), nullptr);
-  EXPECT_EQ(whole.steps, 3 * entities[1].mesh->triangles.size()) << "the large one was not";
+  EXPECT_EQ(whole.steps, 3 * entities[1].mesh()->triangles.size()) << "the large one was not";
   EXPECT_EQ(whole.done, whole.steps);
 }
 

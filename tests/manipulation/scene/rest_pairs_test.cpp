@@ -72,8 +72,8 @@ std::vector<Entity> armWithATool() {
   box.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
   for (const std::size_t link : {0u, 1u}) model->links[link].collisions = {box};
   Entity robot;
-  robot.id = 10, robot.name = "arm", robot.kind = workcell::EntityKind::kRobot;
-  robot.robot = model, robot.joints = {0.0}, robot.tip_link = "flange";
+  robot.id = 10, robot.name = "arm";
+  robot.body = workcell::Robot{{.model = model, .joints = {0.0}, .tip_link = "flange"}};
   Entity tool = solid(11, "tool", geometry::makeBox({0.02, 0.02, 0.5}), Pose::translation({0, 0, 0.2}));
   tool.attachment = {"arm", "flange", Pose::identity()};
   return {robot, tool, solid(12, "wall", geometry::makeBox({0.1, 1.0, 1.0}), Pose::translation({0.11, 0, 0}))};

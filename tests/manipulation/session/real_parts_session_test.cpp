@@ -113,10 +113,9 @@ TEST_P(RealParts, RobotPressedOnAHousing) {
   workcell::Entity robot;
   robot.id = 1;
   robot.name = "kuka";
-  robot.kind = workcell::EntityKind::kRobot;
-  robot.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
-  robot.joints = {0.0, -1.3, 1.7, 0.0, 1.17, 0.0};
-  robot.tip_link = "tool0";
+  robot.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(*model)),
+                                .joints = {0.0, -1.3, 1.7, 0.0, 1.17, 0.0},
+                                .tip_link = "tool0"}};
   const auto hand = handThrough({{0.0, {0, 0, 0.03}},
                                  {0.8, {0, 0, 0.03}},
                                  {3.0, {0, 0, -0.04}},

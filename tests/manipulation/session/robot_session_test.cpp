@@ -18,10 +18,10 @@ workcell::Entity robotOf(kinematics::RobotModel model, std::vector<double> joint
   workcell::Entity robot;
   robot.id = 1;
   robot.name = "robot";
-  robot.kind = workcell::EntityKind::kRobot;
-  robot.tip_link = model.links.back().name;
-  robot.robot = std::make_shared<const kinematics::RobotModel>(std::move(model));
-  robot.joints = std::move(joints);
+  const std::string tip_link = model.links.back().name;
+  robot.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(model)),
+                                .joints = std::move(joints),
+                                .tip_link = tip_link}};
   return robot;
 }
 
@@ -29,7 +29,7 @@ workcell::Entity robotOf(kinematics::RobotModel model, std::vector<double> joint
 SessionOptions throughTheWrist(double rate_hz) {
   workcell::Entity robot = robotOf(kinematics::test::kr120(), {0.0, -1.3, 1.4, 0.0, 0.1, 0.0});
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*robot.robot, robot.joints, X_BL);
+  kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
   const dvec3 axis5 = X_BL[5].rotate(dvec3(0, 1, 0)), aside = dvec3(0, 0, 1);
   const dvec3 there = -0.2 * axis5 + 0.004 * aside;
   SessionOptions options = test::sessionOf({robot}, "robot",
@@ -98,7 +98,7 @@ TEST(RobotSession, SingularitiesAreWallsWhereTheUserWantsThat) {
 TEST(RobotSession, TellsWhichJointsLimitHoldsIt) {
   const workcell::Entity robot = robotOf(kinematics::test::kr120(), {0.0, -1.3, 1.4, 0.0, 2.15, 0.0});
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*robot.robot, robot.joints, X_BL);
+  kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
   const dvec3 axis5 = X_BL[5].rotate(dvec3(0, 1, 0));
   SessionOptions options = test::sessionOf(
       {robot}, "robot",
@@ -108,7 +108,7 @@ TEST(RobotSession, TellsWhichJointsLimitHoldsIt) {
   options.axes.mode = AxesMode::kCell;
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_LE(report->joints.at(4).highest, robot.robot->joints[4].upper);
+  EXPECT_LE(report->joints.at(4).highest, robot.robot()->joints[4].upper);
   const auto told = std::find_if(report->limits.begin(), report->limits.end(), [](const LimitInterval& event) {
     return event.kind == LimitKind::kJoint && event.joint == 4;
   });
@@ -143,8 +143,8 @@ TEST(RobotSession, ForearmRestsOnItsOwnColumn) {
     const workcell::Entity robot = robotOf(foldingArm(), {0.0, 1.7});
     // The forearm is to turn to where the column stands.
     std::vector<Pose> X_BL, X_BEnd;
-    kinematics::forwardKinematics(*robot.robot, robot.joints, X_BL);
-    kinematics::forwardKinematics(*robot.robot, {0.0, 2.5}, X_BEnd);
+    kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
+    kinematics::forwardKinematics(*robot.robot(), {0.0, 2.5}, X_BEnd);
     const dvec3 way = 0.25 * (X_BEnd[3].p - X_BL[3].p), turn(0, 0, 0.8);
     SessionOptions options = test::sessionOf(
         {robot}, "robot", test::handThrough({{0.0, dvec3(0.0)}, {0.3, dvec3(0.0)}, {2.0, way, turn}, {3.0, way, turn}}),

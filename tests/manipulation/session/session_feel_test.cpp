@@ -83,7 +83,7 @@ TEST(SessionFeel, AConveyorUnderThePartIsFeltAsItsFrictionOnly) {
         handThrough({{0.0, {0, 0, 0.01}}, {1.2, {0, 0, 0.01}}, {2.0, {0, 0, -0.005}}, {4.0, {0, 0, -0.005}}});
     const auto still = runSession(sessionOf(cell, "box", hand, rate, 0.5 / rate));
     cell[0].motion = going({0.8, 0, 0}, 4.0);
-    cell[0].mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({4.0, 1.0, 0.1}));
+    cell[0].body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({4.0, 1.0, 0.1}))};
     dvec3 force(0.0);
     const auto moving =
         runSession(sessionOf(cell, "box", hand, rate, 0.5 / rate), [&](const TraceRow& row) { force = row.force_D; });
@@ -120,8 +120,8 @@ TEST(SessionFeel, AWallThatComesPushesThePartAndNeverEntersIt) {
 /// Down onto the table by 5 mm of hand and to rest, after a swing in free air.
 SessionOptions pressing(const std::string& material, workcell::ForceClass force_class) {
   auto cell = boxOverTable(0.02);
-  cell[0].material = cell[1].material = material;
-  cell[1].mass = 3.0;
+  cell[0].contact.material = cell[1].contact.material = material;
+  cell[1].contact.mass = 3.0;
   auto options = sessionOf(cell, "box",
                            handThrough({{0.0, {0, 0, 0.02}},
                                         {1.2, {0, 0, 0.02}},

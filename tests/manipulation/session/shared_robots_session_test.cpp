@@ -39,7 +39,7 @@ TEST_P(SharedRobot, IsDraggedAtItsJointsSpeedAndTellsWhyItStops) {
   ASSERT_TRUE(robot) << robot.error().message();
   robot->id = 1;
   robot->name = "robot";
-  robot->joints = GetParam().start.empty() ? kinematics::restPositions(*robot->robot) : GetParam().start;
+  robot->setJoints(GetParam().start.empty() ? kinematics::restPositions(*robot->robot()) : GetParam().start);
   // A circle, a turn, then straight out until it can go no further, and back.
   std::vector<test::Waypoint> way{{0.0, {0, 0, 0}}, {0.2, {0, 0, 0}}};
   for (int k = 0; k <= 8; ++k) {
@@ -60,7 +60,7 @@ TEST_P(SharedRobot, IsDraggedAtItsJointsSpeedAndTellsWhyItStops) {
   EXPECT_LE(report->forces.penetration_max_m, 1e-6);
   EXPECT_LT(report->forces.force_max_step_n_per_ms, 1.0 + 1e-6);
   for (const JointUse& use : report->joints) {
-    const kinematics::Joint& joint = robot->robot->joints[static_cast<std::size_t>(use.joint)];
+    const kinematics::Joint& joint = robot->robot()->joints[static_cast<std::size_t>(use.joint)];
     EXPECT_LE(use.max_speed, use.greatest_speed * (1.0 + 1e-6)) << joint.name;
     EXPECT_GE(use.lowest, joint.lower - 1e-9) << joint.name;
     EXPECT_LE(use.highest, joint.upper + 1e-9) << joint.name;

@@ -21,7 +21,7 @@ inline workcell::Entity solid(workcell::EntityId id, const std::string& name, ge
   entity.id = id;
   entity.name = name;
   entity.X_WE = X_WE;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  entity.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(std::move(mesh))};
   return entity;
 }
 

@@ -33,8 +33,8 @@ class LoadCell {
     const Entity* carrier = document_.findByName(on);
     Entity part;
     part.name = name;
-    part.mass = mass;
-    part.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
+    part.contact.mass = mass;
+    part.body = Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)))};
     part.X_WE = carrierPose(*carrier, link) * Pose::translation(p_K);
     const EntityId to = carrier->id;
     const EntityId id = document_.execute(AddEntity{std::move(part)}).value();
@@ -44,7 +44,7 @@ class LoadCell {
   CarriedLoad load() const { return carriedLoad(document_.state(), robot()); }
   Document& document() { return document_; }
   std::string firstMovedLink() const {
-    const kinematics::RobotModel& model = *robot().robot;
+    const kinematics::RobotModel& model = *robot().robot();
     return model.links[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(model.moving[0])].child_link)]
         .name;
   }
@@ -57,11 +57,11 @@ class LoadCell {
 TEST(CarriedLoad, AddsChainsAndFindsTheirCentreInEveryPosture) {
   LoadCell cell;
   EXPECT_EQ(verdictOn(cell.load(), 16.0), LoadVerdict::kNothing);
-  const std::string tip = cell.robot().tip_link;
+  const std::string tip = cell.robot().jointed().tip_link;
   cell.hang("Gripper", 3.0, "Robot", tip, {0.0, 0.0, 0.1});
   cell.hang("Part", 9.0, "Gripper", {}, {0.2, 0.0, 0.1});
   for (const double turn : {0.0, 0.5}) {
-    std::vector<double> q = cell.robot().joints;
+    std::vector<double> q = cell.robot().joints();
     for (double& joint : q) joint += turn;
     ASSERT_TRUE(cell.document().execute(SetJoints{cell.robot().id, q}).has_value());
     const CarriedLoad load = cell.load();
@@ -77,8 +77,8 @@ TEST(CarriedLoad, AddsChainsAndFindsTheirCentreInEveryPosture) {
 
 TEST(CarriedLoad, AMassThatNobodyEnteredIsNamedAndNeverAllowed) {
   LoadCell cell;
-  const std::string tip = cell.robot().tip_link;
-  cell.hang("Gripper", Entity{}.mass, "Robot", tip, {});
+  const std::string tip = cell.robot().jointed().tip_link;
+  cell.hang("Gripper", Entity{}.contact.mass, "Robot", tip, {});
   EXPECT_THAT(cell.load().starting, ElementsAre("Gripper"));
   EXPECT_EQ(verdictOn(cell.load(), 16.0), LoadVerdict::kOpen);
   cell.hang("Part", 17.0, "Robot", tip, {});

@@ -57,13 +57,13 @@ TEST_F(FrameCell, IsMovedRenamedRemovedAndAllOfItUndone) {
 }
 
 TEST_F(FrameCell, GoesWithTheLinkItIsFixedToAndTakesAlongWhatHangsOnIt) {
-  const std::string tip = get(robot).tip_link;
+  const std::string tip = get(robot).jointed().tip_link;
   ASSERT_TRUE(document.execute(Attach{station, robot, tip}).has_value());
   ASSERT_TRUE(document.execute(Attach{part, station, ""}).has_value());
   EXPECT_LT(glm::length(get(station).X_WE.p - kStation.p), 1e-12) << "it keeps its place";
   const Pose X_LF = carrierPose(get(robot), tip).inverse() * get(station).X_WE;
   const Pose X_FP = get(station).X_WE.inverse() * get(part).X_WE;
-  std::vector<double> q = get(robot).joints;
+  std::vector<double> q = get(robot).joints();
   q[0] += 0.4;
   ASSERT_TRUE(document.execute(SetJoints{robot, q}).has_value());
   const Pose X_WF = carrierPose(get(robot), tip) * X_LF;
@@ -90,7 +90,7 @@ TEST_F(FrameCell, HasNoContactsAndNoWeight) {
 }
 
 TEST_F(FrameCell, IsSavedReadAndPackedWithWhatItIsFixedTo) {
-  ASSERT_TRUE(document.execute(Attach{station, robot, get(robot).tip_link}).has_value());
+  ASSERT_TRUE(document.execute(Attach{station, robot, get(robot).jointed().tip_link}).has_value());
   test::TemporaryFolder folder;
   ASSERT_TRUE(saveDocument(document, folder.path() / "cell.hcell").has_value());
   Diagnostics notes;
@@ -99,11 +99,11 @@ TEST_F(FrameCell, IsSavedReadAndPackedWithWhatItIsFixedTo) {
   EXPECT_THAT(notes.warnings, IsEmpty());
   const Entity* read = again->findByName("station");
   ASSERT_NE(read, nullptr);
-  EXPECT_EQ(read->kind, EntityKind::kFrame);
+  EXPECT_EQ(read->kind(), EntityKind::kFrame);
   EXPECT_EQ(read->attachment.to, "robot");
-  EXPECT_EQ(read->attachment.link, get(robot).tip_link);
+  EXPECT_EQ(read->attachment.link, get(robot).jointed().tip_link);
   EXPECT_LT(glm::length(read->X_WE.p - kStation.p), 1e-12);
-  EXPECT_FALSE(read->mesh || read->robot);
+  EXPECT_FALSE(read->mesh() || read->robot());
   const auto packed = packDocument(again->state(), folder.path() / "packed", "cell.hcell", {folder.path()}, notes);
   ASSERT_TRUE(packed.has_value()) << packed.error().message();
 }

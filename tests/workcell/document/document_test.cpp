@@ -50,9 +50,9 @@ TEST(Document, AddsFindsAndRemovesWithUndo) {
 TEST(Document, RefusesInASentenceWhatLiesTooFarFromTheOrigin) {
   Document document;
   Entity far = makeSolid("far");
-  auto mesh = std::make_shared<geometry::TriangleMesh>(*far.mesh);
+  auto mesh = std::make_shared<geometry::TriangleMesh>(*far.mesh());
   for (dvec3& vertex : mesh->vertices) vertex.x += 5e5;
-  far.mesh = mesh;
+  far.body = Solid{mesh};
   const auto refused = document.execute(AddEntity{far});
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(refused.error().message(), ::testing::HasSubstr("500 km"));
@@ -81,13 +81,13 @@ TEST(Document, NamesAreUniqueAndIdsNeverReused) {
 TEST(Document, RobotJointsStartWithinTheirLimits) {
   Document document;
   const EntityId arm = add(document, makeArm("arm"));
-  EXPECT_THAT(document.find(arm)->joints, ElementsAre(0.5));
+  EXPECT_THAT(document.find(arm)->joints(), ElementsAre(0.5));
   EXPECT_TRUE(document.execute(SetJoints{arm, {0.7}}).has_value());
   EXPECT_FALSE(document.execute(SetJoints{arm, {0.7, 0.1}}).has_value());
   EXPECT_FALSE(document.execute(SetJoints{arm, {std::nan("")}}).has_value());
   EXPECT_FALSE(document.execute(SetTool{arm, "nowhere", {}}).has_value());
   EXPECT_TRUE(document.execute(SetTool{arm, "upper", Pose::translation({0, 0, 0.1})}).has_value());
-  EXPECT_THAT(document.find(arm)->joints, ElementsAre(0.7));
+  EXPECT_THAT(document.find(arm)->joints(), ElementsAre(0.7));
 }
 
 TEST(Document, RefusedCommandsChangeNothing) {
@@ -211,7 +211,7 @@ TEST(Document, ASnapshotSharesMeshesAndStaysAsItWas) {
   document.execute(SetPlacement{part, Pose::translation({1, 0, 0})});
   EXPECT_EQ(snapshot[0].X_WE.p.x, 0.0);
   EXPECT_EQ(state.find(part)->X_WE.p.x, 0.0);
-  EXPECT_EQ(snapshot[0].mesh.get(), document.find(part)->mesh.get());
+  EXPECT_EQ(snapshot[0].mesh().get(), document.find(part)->mesh().get());
 }
 
 /// Random commands, many of them refused.

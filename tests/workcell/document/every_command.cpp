@@ -14,7 +14,7 @@ using namespace workcell;
 Entity makeSolid(const std::string& name, double x) {
   Entity entity;
   entity.name = name;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
+  entity.body = Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)))};
   entity.source = {"box:0.1,0.1,0.1", 1.0};
   entity.X_WE = Pose::translation({x, 0, 0});
   return entity;
@@ -36,8 +36,7 @@ Entity makeArm(const std::string& name, double lower) {
   model.moving = {0};
   Entity entity;
   entity.name = name;
-  entity.kind = EntityKind::kRobot;
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(model));
+  entity.body = Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(model))}};
   entity.source = {"/robots/arm.urdf", 1.0};
   return entity;
 }
@@ -68,9 +67,9 @@ std::string everything(const Document& document) {
   std::string text = documentText(document.state(), "/cell");
   for (const auto& entity : document.state().entities) {
     text += entity->name + " " + std::to_string(entity->id);
-    if (entity->mesh) text += " " + std::to_string(entity->mesh->triangles.size());
-    for (const double q : entity->joints) text += " " + std::to_string(q);
-    text += " " + std::to_string(static_cast<int>(entity->proxy.kind)) + "\n";
+    if (entity->mesh()) text += " " + std::to_string(entity->mesh()->triangles.size());
+    for (const double q : entity->joints()) text += " " + std::to_string(q);
+    text += " " + std::to_string(static_cast<int>(entity->proxy().kind)) + "\n";
   }
   return text;
 }
@@ -79,36 +78,37 @@ std::vector<CommandMaker> oneOfEach(const Document& document) {
   const auto id = [&](const char* name) { return document.findByName(name)->id; };
   const EntityId table = id("table"), part = id("part"), robot = id("robot");
   Entity finer = makeSolid("other", 0);
-  finer.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeSphere(0.1));
+  finer.body = Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeSphere(0.1))};
   finer.source = {"sphere:0.1", 1.0};
   ergonomics::WorkTask task;
   task.name = "Screw";
-  const std::vector<Command> first{AddEntity{makeSolid("new", 5)},
-                                   RenameEntity{table, "bench"},
-                                   RenameEntity{table, "table"},
-                                   SetPlacement{part, Pose::translation({0, 0, 3})},
-                                   SetJoints{robot, {0.4}},
-                                   SetConfiguration{robot, Pose::translation({0, 2, 0}), {-0.3}},
-                                   SetProperties{.id = part, .color = std::array<float, 3>{0.1f, 0.2f, 0.3f}},
-                                   SetProperties{.id = part, .visible = false},
-                                   SetProperties{.id = part, .checked = false},
-                                   SetProperties{.id = part, .on_contact = OnContact::kStop},
-                                   SetProperties{.id = part, .force_class = ForceClass::kConstant},
-                                   SetProperties{.id = part, .material = "rubber"},
-                                   SetProperties{.id = part, .mass = 7.0},
-                                   SetProperties{.id = part, .parent = "table"},
-                                   SetProperties{.id = part, .locked = true},
-                                   SetProperties{.id = part, .locked = false},
-                                   SetFrames{part, {{"grip", Pose::translation({0, 0, 0.1})}}},
-                                   SetTools{robot, {{"gun", "upper", Pose::translation({0, 0, 0.2})}}},
-                                   ChooseTool{robot, "gun"},
-                                   SetTool{robot, "base", Pose::translation({0.1, 0, 0})},
-                                   SetNamedPoses{robot, {{"away", {0.9}}}},
-                                   ReplaceShape{part, finer},
-                                   SetCollisionProxy{part, *makeProxy(*finer.mesh, CollisionProxy::Kind::kConvex, 0.0)},
-                                   Attach{part, robot, "upper"},
-                                   Detach{part},
-                                   MakeMechanism{"door", {id("frame"), id("leaf")}, {hinge(1.0)}}};
+  const std::vector<Command> first{
+      AddEntity{makeSolid("new", 5)},
+      RenameEntity{table, "bench"},
+      RenameEntity{table, "table"},
+      SetPlacement{part, Pose::translation({0, 0, 3})},
+      SetJoints{robot, {0.4}},
+      SetConfiguration{robot, Pose::translation({0, 2, 0}), {-0.3}},
+      SetProperties{.id = part, .color = std::array<float, 3>{0.1f, 0.2f, 0.3f}},
+      SetProperties{.id = part, .visible = false},
+      SetProperties{.id = part, .checked = false},
+      SetProperties{.id = part, .on_contact = OnContact::kStop},
+      SetProperties{.id = part, .force_class = ForceClass::kConstant},
+      SetProperties{.id = part, .material = "rubber"},
+      SetProperties{.id = part, .mass = 7.0},
+      SetProperties{.id = part, .parent = "table"},
+      SetProperties{.id = part, .locked = true},
+      SetProperties{.id = part, .locked = false},
+      SetFrames{part, {{"grip", Pose::translation({0, 0, 0.1})}}},
+      SetTools{robot, {{"gun", "upper", Pose::translation({0, 0, 0.2})}}},
+      ChooseTool{robot, "gun"},
+      SetTool{robot, "base", Pose::translation({0.1, 0, 0})},
+      SetNamedPoses{robot, {{"away", {0.9}}}},
+      ReplaceShape{part, finer},
+      SetCollisionProxy{part, *makeProxy(*finer.mesh(), CollisionProxy::Kind::kConvex, 0.0)},
+      Attach{part, robot, "upper"},
+      Detach{part},
+      MakeMechanism{"door", {id("frame"), id("leaf")}, {hinge(1.0)}}};
   const std::vector<Command> last{AddPairSet{{.name = "Set", .first = {"part"}, .second = {"table"}}},
                                   EditPairSet{"Set", {.name = "Set 2", .first = {"part"}, .near_miss = 0.02}},
                                   SetPairRules{{{.first = "part", .second = "table", .checked = false}}},

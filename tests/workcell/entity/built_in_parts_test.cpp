@@ -28,10 +28,10 @@ TEST(BuiltInParts, EveryOneIsClosedAndStandsWhereItsOriginSays) {
   for (const BuiltInPart& part : builtInParts()) {
     const std::string what = std::string(part.scheme) + ":";
     const Entity entity = made(what);
-    ASSERT_TRUE(entity.mesh) << what;
-    EXPECT_TRUE(geometry::isClosed(*entity.mesh)) << what;
-    EXPECT_GT(geometry::massProperties(*entity.mesh).volume, 0.0) << what << " faces outwards";
-    const geometry::Bounds bounds = entity.mesh->bounds();
+    ASSERT_TRUE(entity.mesh()) << what;
+    EXPECT_TRUE(geometry::isClosed(*entity.mesh())) << what;
+    EXPECT_GT(geometry::massProperties(*entity.mesh()).volume, 0.0) << what << " faces outwards";
+    const geometry::Bounds bounds = entity.mesh()->bounds();
     EXPECT_NEAR(bounds.min.x + bounds.max.x, 0.0, 1e-9) << what;
     EXPECT_NEAR(bounds.min.y + bounds.max.y, 0.0, 1e-9) << what;
     if (part.origin == BuiltInPart::Origin::kMiddle) {
@@ -62,18 +62,18 @@ TEST(BuiltInParts, AreAsLargeAsTheirSizesSay) {
       {"cone:0.2,0.5", {0.4, 0.4, 0.5}},         {"pipe:0.2,0.1,0.5", {0.4, 0.4, 0.5}},
   };
   for (const auto& [what, size] : cases) {
-    const geometry::Bounds bounds = made(what).mesh->bounds();
+    const geometry::Bounds bounds = made(what).mesh()->bounds();
     EXPECT_LT(glm::length(bounds.max - bounds.min - size), 1e-9) << what;
   }
-  EXPECT_NEAR(made("stool:0.65").mesh->bounds().max.z, 0.65, 1e-12);
-  EXPECT_NEAR(made("table:1400,700,800", 0.001).mesh->bounds().max.x, 0.7, 1e-12) << "in millimetres";
+  EXPECT_NEAR(made("stool:0.65").mesh()->bounds().max.z, 0.65, 1e-12);
+  EXPECT_NEAR(made("table:1400,700,800", 0.001).mesh()->bounds().max.x, 0.7, 1e-12) << "in millimetres";
   // The volume by hand: a top of 30 mm and four legs of 60 x 60 mm.
-  EXPECT_NEAR(geometry::massProperties(*made("table:1,1,1").mesh).volume, 0.03 + 4 * 0.06 * 0.06 * 0.97, 1e-9);
+  EXPECT_NEAR(geometry::massProperties(*made("table:1,1,1").mesh()).volume, 0.03 + 4 * 0.06 * 0.06 * 0.97, 1e-9);
 }
 
 TEST(BuiltInParts, TheBenchIsAdjustableAndItsSizesComeBackFromItsSource) {
   const Entity bench = made("bench:1400,700,1050", 0.001);
-  const geometry::Bounds bounds = bench.mesh->bounds();
+  const geometry::Bounds bounds = bench.mesh()->bounds();
   EXPECT_LT(glm::length(bounds.max - bounds.min - dvec3(1.4, 0.7, 1.05)), 1e-9);
   const std::vector<double> sizes = partSizes(bench.source);
   ASSERT_EQ(sizes.size(), 3u);
@@ -95,7 +95,7 @@ TEST(BuiltInParts, AResizedBenchLiftsWhatIsAttachedToIt) {
   const auto commands = resizePart(document.state(), *id, {1.2, 0.8, 1.05});
   ASSERT_TRUE(commands) << commands.error().message();
   for (const Command& command : *commands) ASSERT_TRUE(document.execute(command));
-  EXPECT_NEAR(document.find(*id)->mesh->bounds().max.z, 1.05, 1e-12);
+  EXPECT_NEAR(document.find(*id)->mesh()->bounds().max.z, 1.05, 1e-12);
   EXPECT_EQ(document.find(*id)->source.path, "bench:1.2,0.8,1.05");
   EXPECT_NEAR(document.find(*vise_id)->X_WE.p.z, 1.10, 1e-12);
   EXPECT_NEAR(document.find(*free_id)->X_WE.p.z, 0.95, 1e-12);
@@ -107,7 +107,7 @@ TEST(BuiltInParts, AResizedBenchLiftsWhatIsAttachedToIt) {
 
 TEST(BuiltInParts, ThePalletIsAsHeavyAsTheOneItIsDrawnAfter) {
   // 0.8 x 1.2 m, dry spruce of some 450 kg/m3: the standard's pallet weighs 20 to 24 kg.
-  const double mass = 450.0 * geometry::massProperties(*made("pallet:1.2,0.8").mesh).volume;
+  const double mass = 450.0 * geometry::massProperties(*made("pallet:1.2,0.8").mesh()).volume;
   EXPECT_GT(mass, 17.0);
   EXPECT_LT(mass, 27.0);
 }
@@ -117,7 +117,7 @@ TEST(BuiltInParts, NoFingerReachesThroughTheFence) {
   for (const double length : {0.3, 1.0, 1.55, 3.0, 7.3}) {
     const Entity fence = made("fence:" + std::to_string(length) + ",2");
     std::vector<double> at;  // Where bars and posts cross half the height.
-    for (const dvec3& vertex : fence.mesh->vertices)
+    for (const dvec3& vertex : fence.mesh()->vertices)
       if (vertex.z < 0.2 || vertex.z > 1.9) at.push_back(vertex.x);
     std::sort(at.begin(), at.end());
     for (std::size_t i = 1; i < at.size(); ++i) EXPECT_LT(at[i] - at[i - 1], 0.12) << length;

@@ -150,10 +150,10 @@ TEST(MechanismCommands, MakingMovingAndTakingApartCanBeUndone) {
   EXPECT_EQ(document.state().pair_sets.at(0).first, std::vector<std::string>{"door"});
   ASSERT_TRUE(document.execute(SetJoints{*door, {std::numbers::pi / 2}}));
   EXPECT_NEAR(glm::length(carrierPose(*document.find(*door), "leaf").p - dvec3(1.1, 0.4, 0.0)), 0.0, 1e-12);
-  auto tighter = document.find(*door)->mechanism->joints;
+  auto tighter = document.find(*door)->mechanism()->joints;
   tighter[0].upper = 1.0;
   ASSERT_TRUE(document.execute(EditMechanism{*door, tighter}));
-  EXPECT_DOUBLE_EQ(document.find(*door)->joints.at(0), 1.0);
+  EXPECT_DOUBLE_EQ(document.find(*door)->joints().at(0), 1.0);
   tighter[0].axis_M = dvec3(0.0);
   EXPECT_FALSE(document.execute(EditMechanism{*door, tighter}));
   ASSERT_TRUE(document.undo());
@@ -182,7 +182,7 @@ TEST(MechanismCommands, AMechanismSurvivesSavingByteForByte) {
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_TRUE(notes.warnings.empty());
   EXPECT_EQ(documentText(read->state(), "/nowhere"), text);
-  EXPECT_EQ(read->findByName("vice")->kind, EntityKind::kMechanism);
+  EXPECT_EQ(read->findByName("vice")->kind(), EntityKind::kMechanism);
   EXPECT_EQ(read->findByName("box")->attachment.link, "nut");
 }
 
@@ -198,7 +198,7 @@ TEST(Attachment, WhatHangsOnALinkGoesWithItAndUndoBringsItBack) {
   EXPECT_FALSE(document.execute(Attach{robot, lid, ""})) << "a circle";
   EXPECT_FALSE(document.execute(Attach{box, robot, "no such link"}));
   const Pose before = document.find(lid)->X_WE;
-  std::vector<double> q(document.find(robot)->robot->dof(), 0.0);
+  std::vector<double> q(document.find(robot)->robot()->dof(), 0.0);
   q[0] = std::numbers::pi / 2;
   ASSERT_TRUE(document.execute(SetJoints{robot, q}));
   EXPECT_NEAR(glm::length(document.find(lid)->X_WE.p - dvec3(-before.p.y, before.p.x, before.p.z)), 0.0, 1e-9);
@@ -221,8 +221,8 @@ TEST(Tools, SeveralToolsOfWhichOneIsChosen) {
   const ToolFrame gun{"gun", "tool0", Pose::translation({0, 0, 0.3})}, camera{"camera", "link_5", {}};
   ASSERT_TRUE(document.execute(SetTools{robot, {gun, camera}}));
   ASSERT_TRUE(document.execute(ChooseTool{robot, "gun"}));
-  EXPECT_EQ(document.find(robot)->tip_link, "tool0");
-  EXPECT_DOUBLE_EQ(document.find(robot)->X_LT.p.z, 0.3);
+  EXPECT_EQ(document.find(robot)->jointed().tip_link, "tool0");
+  EXPECT_DOUBLE_EQ(document.find(robot)->jointed().X_LT.p.z, 0.3);
   EXPECT_FALSE(document.execute(ChooseTool{robot, "hammer"}));
   EXPECT_FALSE(document.execute(SetTools{robot, {gun, gun}}));
   EXPECT_FALSE(document.execute(SetTools{robot, {{"gun", "no link", {}}}}));
@@ -231,16 +231,16 @@ TEST(Tools, SeveralToolsOfWhichOneIsChosen) {
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(documentText(read->state(), "/nowhere"), text);
   ASSERT_TRUE(document.execute(SetTools{robot, {{"gun", "tool0", Pose::translation({0, 0, 0.4})}}}));
-  EXPECT_DOUBLE_EQ(document.find(robot)->X_LT.p.z, 0.4);
+  EXPECT_DOUBLE_EQ(document.find(robot)->jointed().X_LT.p.z, 0.4);
   ASSERT_TRUE(document.execute(SetTool{robot, "tcp", {}}));
-  EXPECT_TRUE(document.find(robot)->tool.empty());
+  EXPECT_TRUE(document.find(robot)->jointed().tool.empty());
 }
 
 TEST(NamedPoses, AreKeptUndoneAndWritten) {
   Document document;
   Diagnostics notes;
   const EntityId robot = document.execute(AddEntity{EntityLoader(".").load("library:hc6", 1.0, notes).value()}).value();
-  const std::vector<double> rest = kinematics::restPositions(*document.find(robot)->robot);
+  const std::vector<double> rest = kinematics::restPositions(*document.find(robot)->robot());
   ASSERT_FALSE(namedPosesOf(*document.find(robot)).empty());
   EXPECT_EQ(findNamedPose(*document.find(robot), "home"), rest);
   std::vector<double> park = rest;

@@ -44,7 +44,7 @@ TEST(PairPolicy, WithSetsOnlyTheirPairsCountEitherWayRound) {
 
 TEST(PairPolicy, AnAssemblyIsCheckedAgainstWhatDoesNotGoAlong) {
   auto entities = named({"bolt", "clamp", "rig", "plate", "table"});
-  entities[1].kind = entities[2].kind = EntityKind::kAssembly;
+  entities[1].body = entities[2].body = Assembly{};
   entities[0].parent = "clamp";  // Before what it stands below.
   entities[1].parent = entities[3].parent = "rig";
   const auto of_rig = effectivePairs(entities, {}, 3);
@@ -115,7 +115,7 @@ TEST(PairPolicy, WhatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
   model->joints = {turn, mount};
   model->moving = {0};
   Entity &robot = entities[0], &gripper = entities[1], &part = entities[2], &table = entities[3];
-  robot.robot = model;
+  robot.body = Robot{{.model = model}};
   gripper.attachment = {"robot", "flange", {}};
   part.attachment = {"gripper", "", {}};
   robot.attachment = {"table", "", {}};

@@ -84,8 +84,8 @@ class PackCheck : public ::testing::Test {
     auto part = loader.load("part.obj", 1.0, notes_);
     auto robot = loader.load("library:ur5e", 1.0, notes_);
     ASSERT_TRUE(part && robot);
-    robot->joints.assign(robot->robot->dof(), 0.0);
-    robot->joints[1] = -0.7;
+    robot->editJointed().joints.assign(robot->robot()->dof(), 0.0);
+    robot->editJointed().joints[1] = -0.7;
     ASSERT_TRUE(document.execute(AddEntity{*part}));
     ASSERT_TRUE(document.execute(AddEntity{*robot}));
     state_ = document.state();

@@ -108,15 +108,15 @@ TEST_F(DocumentFile, AFreeHandIsSavedWithItsFingersAndIsOneAgain) {
   Diagnostics notes;
   auto hand = EntityLoader(".").load("hand:left:female:5", 1.0, notes);
   ASSERT_TRUE(hand.has_value());
-  hand->joints[6] = 0.75;
+  hand->editJointed().joints[6] = 0.75;
   ASSERT_TRUE(cell.execute(AddEntity{*hand}).has_value());
   ASSERT_TRUE(saveDocument(cell, path).has_value());
   const auto again = loadDocument(path, notes);
   ASSERT_TRUE(again.has_value());
   const Entity& read = *again->state().entities.at(0);
-  EXPECT_EQ(read.kind, EntityKind::kRobot);
-  EXPECT_EQ(read.joints, hand->joints);
-  EXPECT_EQ(read.robot->findLink("l_index3"), hand->robot->findLink("l_index3"));
+  EXPECT_EQ(read.kind(), EntityKind::kRobot);
+  EXPECT_EQ(read.joints(), hand->joints());
+  EXPECT_EQ(read.robot()->findLink("l_index3"), hand->robot()->findLink("l_index3"));
 }
 
 TEST_F(DocumentFile, LoadThenSaveChangesNoByte) {
@@ -142,17 +142,17 @@ TEST_F(DocumentFile, KeepsWhatTheDocumentHeld) {
   ASSERT_TRUE(second.has_value()) << second.error().message();
   ASSERT_EQ(second->state().entities.size(), 4u);
   const Entity& part = *second->findByName("part");
-  EXPECT_NEAR(part.mesh->bounds().size().x, 1.0, 1e-6);  // 1000 mm
+  EXPECT_NEAR(part.mesh()->bounds().size().x, 1.0, 1e-6);  // 1000 mm
   EXPECT_EQ(part.source.scale, 0.001);
   EXPECT_EQ(part.source.path, (folder.path() / "part.stl").string());
   EXPECT_TRUE(part.locked);
-  EXPECT_EQ(part.mass, 2.5);
+  EXPECT_EQ(part.contact.mass, 2.5);
   EXPECT_EQ(part.X_WE.p, first.findByName("part")->X_WE.p);
   ASSERT_EQ(part.frames.size(), 1u);
   EXPECT_EQ(part.frames[0].name, "grip");
   const Entity& arm = *second->findByName("arm");
-  EXPECT_THAT(arm.joints, ElementsAre(0.123456789));
-  EXPECT_EQ(arm.tip_link, "upper");
+  EXPECT_THAT(arm.joints(), ElementsAre(0.123456789));
+  EXPECT_EQ(arm.jointed().tip_link, "upper");
   EXPECT_EQ(second->state().pair_sets[0].on_contact, OnContact::kStop);
   EXPECT_THAT(second->state().pair_sets[0].second, ElementsAre("table", "arm"));
   EXPECT_EQ(second->state().view->p_WEye.z, 3.0);
@@ -209,7 +209,7 @@ TEST(DocumentText, AHandWrittenMinimumIsEnough) {
   const auto cell =
       parseDocument(document(R"({"name": "ball", "source": {"file": "sphere:0.1"}})"), "/nowhere", "c", notes);
   ASSERT_TRUE(cell.has_value()) << cell.error().message();
-  EXPECT_EQ(cell->findByName("ball")->on_contact, OnContact::kSlide);
+  EXPECT_EQ(cell->findByName("ball")->contact.on_contact, OnContact::kSlide);
   EXPECT_TRUE(notes.warnings.empty());
 }
 

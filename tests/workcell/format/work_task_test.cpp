@@ -75,9 +75,9 @@ TEST(WorkTask, ComesBackFromItsTextWithWhatIsUnknownStillUnknown) {
 
 TEST(MannequinSource, TakesStatureMassAndOwnMeasures) {
   const Entity entity = mannequinEntity("mannequin:female:1620mm:70kg:handlength=0.19");
-  EXPECT_NEAR(entity.figure->body[mannequin::Dimension::kStature], 1.62, 1e-9);
-  EXPECT_NEAR(entity.mass, 70.0, 1e-9);
-  EXPECT_NEAR(entity.figure->body[mannequin::Dimension::kHandLength], 0.19, 1e-9);
+  EXPECT_NEAR(entity.figure()->body[mannequin::Dimension::kStature], 1.62, 1e-9);
+  EXPECT_NEAR(entity.contact.mass, 70.0, 1e-9);
+  EXPECT_NEAR(entity.figure()->body[mannequin::Dimension::kHandLength], 0.19, 1e-9);
   for (const char* bad : {"mannequin:female:1620cm", "mannequin:male:50:heavy", "mannequin:male:50:nose=0.1"}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(EntityLoader({}).load(bad, 0.0, diagnostics)) << bad;
@@ -90,11 +90,11 @@ TEST(MannequinSource, AnotherSizeIsOneStepThatKeepsTheJoints) {
   const Entity before = *document.findByName("mannequin");
   ASSERT_TRUE(document.execute(ReplaceShape{before.id, mannequinEntity("mannequin:female:5")}));
   const Entity& after = *document.findByName("mannequin");
-  EXPECT_NEAR(after.figure->body[mannequin::Dimension::kStature], 1.525, 0.001);
-  EXPECT_EQ(after.joints, before.joints);
+  EXPECT_NEAR(after.figure()->body[mannequin::Dimension::kStature], 1.525, 0.001);
+  EXPECT_EQ(after.joints(), before.joints());
   EXPECT_EQ(after.source.path, "mannequin:female:5");
   document.undo();
-  EXPECT_EQ(document.findByName("mannequin")->figure, before.figure);
+  EXPECT_EQ(document.findByName("mannequin")->figure(), before.figure());
 }
 
 }  // namespace

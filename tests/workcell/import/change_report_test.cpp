@@ -37,7 +37,7 @@ TEST(ChangeReport, AgainstTheImportTellsWhatWasMovedSince) {
   }
   const Entity* moved = nullptr;
   for (const auto& entity : document.state().entities) {
-    if (entity->mesh) moved = entity.get();
+    if (entity->mesh()) moved = entity.get();
   }
   ASSERT_NE(moved, nullptr);
   const std::string name = moved->name;

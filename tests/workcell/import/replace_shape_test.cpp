@@ -31,12 +31,12 @@ TEST(ReplaceShape, ASolidKeepsItsPlaceNameAndColour) {
   ASSERT_TRUE(fresh);
   ASSERT_TRUE(document.execute(ReplaceShape{*id, *fresh}));
   const Entity& now = *document.find(*id);
-  EXPECT_EQ(now.mesh->triangles.size(), 2u);
+  EXPECT_EQ(now.mesh()->triangles.size(), 2u);
   EXPECT_EQ(now.name, "mine");
   EXPECT_EQ(now.X_WE.p, dvec3(1, 2, 3));
   EXPECT_EQ(now.color, entity->color);
   ASSERT_TRUE(document.undo());
-  EXPECT_EQ(document.find(*id)->mesh->triangles.size(), 1u);
+  EXPECT_EQ(document.find(*id)->mesh()->triangles.size(), 1u);
 }
 
 TEST(ReplaceShape, ARobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimits) {
@@ -46,7 +46,7 @@ TEST(ReplaceShape, ARobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimit
   Document document;
   auto robot = EntityLoader(folder.path()).load("arm.urdf", 1.0, notes);
   ASSERT_TRUE(robot) << robot.error().message();
-  robot->joints = {1.5};
+  robot->setJoints({1.5});
   const auto id = document.execute(AddEntity{*robot});
   ASSERT_TRUE(id);
   folder.write("arm.urdf", armText(1.2,
@@ -56,9 +56,9 @@ TEST(ReplaceShape, ARobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimit
   ASSERT_TRUE(fresh) << fresh.error().message();
   ASSERT_TRUE(document.execute(ReplaceShape{*id, *fresh}));
   const Entity& now = *document.find(*id);
-  ASSERT_EQ(now.joints.size(), 2u);
-  EXPECT_DOUBLE_EQ(now.joints[0], 1.2);
-  EXPECT_DOUBLE_EQ(now.joints[1], 0.0);
+  ASSERT_EQ(now.joints().size(), 2u);
+  EXPECT_DOUBLE_EQ(now.joints()[0], 1.2);
+  EXPECT_DOUBLE_EQ(now.joints()[1], 0.0);
 }
 
 TEST(ReplaceShape, AnotherKindOfThingIsRefused) {

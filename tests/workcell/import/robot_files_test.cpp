@@ -94,7 +94,7 @@ TEST(RobotLibrary, EveryRobotLoadsIsSolvedAndNamesItsSource) {
     EXPECT_FALSE(robot.sheet.source.empty()) << robot.name;
     const auto entity = loader.load("library:" + robot.name, 1.0, notes);
     ASSERT_TRUE(entity) << entity.error().message();
-    const auto& model = *entity->robot;
+    const auto& model = *entity->robot();
     const int tip = model.defaultTip();
     const auto inverse = kinematics::createInverse(model, tip);
     ASSERT_TRUE(inverse) << robot.name;

@@ -93,11 +93,11 @@ TEST(MeshCare, ADocumentKeepsHowAProxyAndAMeshWereMade) {
   source.oriented = true;
   auto entity = loader.loadSource(source, notes);
   ASSERT_TRUE(entity) << entity.error().message();
-  EXPECT_LT(entity->mesh->triangles.size(), sphere.mesh.triangles.size());
+  EXPECT_LT(entity->mesh()->triangles.size(), sphere.mesh.triangles.size());
   Document document;
   const auto id = document.execute(AddEntity{*entity});
   ASSERT_TRUE(id);
-  auto proxy = makeProxy(*entity->mesh, CollisionProxy::Kind::kConvex, 0.0);
+  auto proxy = makeProxy(*entity->mesh(), CollisionProxy::Kind::kConvex, 0.0);
   ASSERT_TRUE(proxy);
   ASSERT_TRUE(document.execute(SetCollisionProxy{*id, *proxy}));
   EXPECT_EQ(checkedMesh(*document.find(*id)), proxy->mesh);
@@ -106,11 +106,11 @@ TEST(MeshCare, ADocumentKeepsHowAProxyAndAMeshWereMade) {
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_EQ(documentText(again->state(), folder.path()), text);
   const Entity& read = *again->findByName("ball");
-  EXPECT_EQ(read.mesh->triangles.size(), entity->mesh->triangles.size());
-  ASSERT_EQ(read.proxy.kind, CollisionProxy::Kind::kConvex);
-  EXPECT_EQ(read.proxy.mesh->triangles.size(), proxy->mesh->triangles.size());
+  EXPECT_EQ(read.mesh()->triangles.size(), entity->mesh()->triangles.size());
+  ASSERT_EQ(read.proxy().kind, CollisionProxy::Kind::kConvex);
+  EXPECT_EQ(read.proxy().mesh->triangles.size(), proxy->mesh->triangles.size());
   EXPECT_TRUE(document.undo());
-  EXPECT_EQ(checkedMesh(*document.find(*id)), entity->mesh);
+  EXPECT_EQ(checkedMesh(*document.find(*id)), entity->mesh());
 }
 
 }  // namespace

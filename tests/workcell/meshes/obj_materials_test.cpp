@@ -90,10 +90,10 @@ TEST_F(ObjFolder, AnImportKeepsTreeNamesAndColoursAndADocumentReadsThemAgain) {
   EXPECT_EQ(tree->entities[1].color, (Color{1, 0, 0}));
   EXPECT_EQ(tree->entities[1].source.part, "B");
   EXPECT_TRUE(tree->report.unit_is_stated);
-  EXPECT_NEAR(tree->entities[1].mesh->bounds().min.x, 0.003, 1e-12);
+  EXPECT_NEAR(tree->entities[1].mesh()->bounds().min.x, 0.003, 1e-12);
   const auto again = loader.loadSource(tree->entities[1].source, notes);
   ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->mesh->triangles, tree->entities[1].mesh->triangles);
+  EXPECT_EQ(again->mesh()->triangles, tree->entities[1].mesh()->triangles);
   EXPECT_EQ(again->color, tree->entities[1].color);
   ImportOptions options;
   options.merge = true;
@@ -101,7 +101,7 @@ TEST_F(ObjFolder, AnImportKeepsTreeNamesAndColoursAndADocumentReadsThemAgain) {
   ASSERT_TRUE(merged.has_value());
   ASSERT_EQ(merged->entities.size(), 1u);
   EXPECT_EQ(merged->entities[0].name, "two");
-  EXPECT_EQ(merged->entities[0].mesh->triangles.size(), 8u);
+  EXPECT_EQ(merged->entities[0].mesh()->triangles.size(), 8u);
 }
 
 }  // namespace

@@ -23,21 +23,21 @@ Pose randomPose(std::mt19937& random) {
 }
 
 void expectSameLinks(const Entity& written, const kinematics::RobotModel& read) {
-  ASSERT_EQ(read.dof(), written.robot->dof());
+  ASSERT_EQ(read.dof(), written.robot()->dof());
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   std::vector<double> q;
-  for (int index : written.robot->moving) {
-    const kinematics::Joint& joint = written.robot->joints[static_cast<std::size_t>(index)];
+  for (int index : written.robot()->moving) {
+    const kinematics::Joint& joint = written.robot()->joints[static_cast<std::size_t>(index)];
     const double lower = std::max(joint.lower, -3.0), upper = std::min(joint.upper, 3.0);
     q.push_back(lower + part(random) * (upper - lower));
   }
   std::vector<Pose> X_BL, X_WL;
-  kinematics::forwardKinematics(*written.robot, q, X_BL);
+  kinematics::forwardKinematics(*written.robot(), q, X_BL);
   kinematics::forwardKinematics(read, q, X_WL);
-  for (std::size_t k = 0; k < written.robot->links.size(); ++k) {
-    const int there = read.findLink(written.robot->links[k].name);
-    ASSERT_GE(there, 0) << written.robot->links[k].name;
+  for (std::size_t k = 0; k < written.robot()->links.size(); ++k) {
+    const int there = read.findLink(written.robot()->links[k].name);
+    ASSERT_GE(there, 0) << written.robot()->links[k].name;
     const Twist apart = difference(X_WL[static_cast<std::size_t>(there)], written.X_WE * X_BL[k]);
     EXPECT_LT(glm::length(apart.linear), 1e-9);
     EXPECT_LT(glm::length(apart.angular), 1e-7);
@@ -60,7 +60,7 @@ TEST(UrdfWriter, ARobotStandsOnItsNewBaseInTheFile) {
     ASSERT_TRUE(read) << read.error().message();
     expectSameLinks(*robot, read->model);
     std::size_t before = 0, after = 0;
-    for (const auto& link : robot->robot->links) before += link.visuals.size();
+    for (const auto& link : robot->robot()->links) before += link.visuals.size();
     for (const auto& link : read->model.links) after += link.visuals.size();
     EXPECT_EQ(before, after);
   }

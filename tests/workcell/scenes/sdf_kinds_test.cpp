@@ -319,14 +319,14 @@ TEST_F(SdfKinds, RobotsStandBesideFurnitureInOneWorld) {
                                     [&](const Entity& entity) { return entity.name == name; });
     return found == tree->entities.end() ? Entity() : *found;
   };
-  EXPECT_EQ(named("left").kind, EntityKind::kRobot);
-  ASSERT_TRUE(named("left").robot && named("right").robot);
-  EXPECT_EQ(named("left").robot->dof(), 1u);
+  EXPECT_EQ(named("left").kind(), EntityKind::kRobot);
+  ASSERT_TRUE(named("left").robot() && named("right").robot());
+  EXPECT_EQ(named("left").robot()->dof(), 1u);
   EXPECT_LT(glm::distance(named("left").X_WE.p, dvec3(1, 2, 0.25)), 1e-12) << "its root stands where the file says";
   EXPECT_NEAR(named("left").X_WE.rotate({1, 0, 0}).y, 1.0, 1e-9);
   EXPECT_LT(glm::distance(named("right").X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
-  EXPECT_EQ(named("table").kind, EntityKind::kAssembly);
-  EXPECT_FALSE(named("lost").robot);
+  EXPECT_EQ(named("table").kind(), EntityKind::kAssembly);
+  EXPECT_FALSE(named("lost").robot());
   EXPECT_THAT(english(notes_.warnings), HasSubstr("'lost' has moving joints; it is read as a rigid body: "));
 
   Document document;
@@ -336,15 +336,15 @@ TEST_F(SdfKinds, RobotsStandBesideFurnitureInOneWorld) {
   const auto again = loadDocument(cell, notes_);
   ASSERT_TRUE(again) << again.error().message();
   const Entity* right = again->state().findByName("right");
-  ASSERT_TRUE(right && right->robot);
-  EXPECT_EQ(right->robot->name, "right");
+  ASSERT_TRUE(right && right->robot());
+  EXPECT_EQ(right->robot()->name, "right");
   EXPECT_LT(glm::distance(right->X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
 
   options.merge = true;
   const auto merged = EntityLoader(folder_.path()).loadTree(file.string(), options, notes_);
   ASSERT_TRUE(merged) << merged.error().message();
   ASSERT_EQ(merged->entities.size(), 1u);
-  EXPECT_NEAR(merged->entities[0].mesh->bounds().max.z, 4.05, 1e-9) << "robots are part of the whole";
+  EXPECT_NEAR(merged->entities[0].mesh()->bounds().max.z, 4.05, 1e-9) << "robots are part of the whole";
 }
 
 TEST_F(SdfKinds, ARobotAloneStandsWhereItsModelDoes) {

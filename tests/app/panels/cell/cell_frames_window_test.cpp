@@ -84,7 +84,7 @@ TEST(CellFrames, AreInsertedWhereTheSceneIsClicked) {
   EXPECT_FALSE(page.window().viewport().isPicking());
   const workcell::Entity* frame = page.selected();
   ASSERT_NE(frame, nullptr) << "it is chosen, to be typed to its place";
-  EXPECT_EQ(frame->kind, workcell::EntityKind::kFrame);
+  EXPECT_EQ(frame->kind(), workcell::EntityKind::kFrame);
   EXPECT_EQ(frame->name, "Frame");
   EXPECT_LT(glm::length(frame->X_WE.p - place), 0.01);
   EXPECT_EQ(page.linesCalled("Frame"), 1) << "its name stands beside it";
@@ -144,7 +144,7 @@ TEST(CellFrames, ArePickedMovedCopiedRenamedAndRemoved) {
   page.trigger("actionCopy");
   page.trigger("actionPaste");
   ASSERT_NE(page.named("pick 2"), nullptr);
-  EXPECT_EQ(page.named("pick 2")->kind, workcell::EntityKind::kFrame);
+  EXPECT_EQ(page.named("pick 2")->kind(), workcell::EntityKind::kFrame);
   page.trigger("actionRemove");
   EXPECT_EQ(page.named("pick 2"), nullptr);
   for (int k = 0; k < 5; ++k) page.trigger("actionUndo");
@@ -155,7 +155,7 @@ TEST(CellFrames, AreFixedToALinkAndGoWithIt) {
   FramePage page;
   const auto robot = page.addRobot("kuka_kr16_2");
   const auto frame = page.addFrame("grip", Pose::translation({0.5, 0.0, 0.5}));
-  const std::string tip = page.document().document().find(robot)->tip_link;
+  const std::string tip = page.document().document().find(robot)->jointed().tip_link;
   const QString robot_name = QString::fromStdString(page.document().document().find(robot)->name);
   EXPECT_FALSE(page.find<QWidget>("comboFrameCarrier")->isHidden());
   const std::size_t before = page.steps();
@@ -165,7 +165,7 @@ TEST(CellFrames, AreFixedToALinkAndGoWithIt) {
   EXPECT_EQ(page.steps(), before + 1);
   auto* tree = page.window().findChild<WorkcellPanel*>();
   EXPECT_EQ(tree->model().indexOf(frame).parent(), tree->model().indexOf(robot));
-  std::vector<double> q = page.document().document().find(robot)->joints;
+  std::vector<double> q = page.document().document().find(robot)->joints();
   q[0] += 0.5;
   ASSERT_TRUE(page.document().execute(workcell::SetJoints{robot, q}));
   page.settle();

@@ -21,7 +21,7 @@ workcell::Entity makeSolid(const std::string& name, const std::string& parent = 
   entity.name = name;
   entity.parent = parent;
   auto mesh = std::make_shared<geometry::TriangleMesh>();
-  entity.mesh = mesh;
+  entity.body = workcell::Solid{mesh};
   entity.source.path = "box:0.1,0.1,0.1";
   return entity;
 }

@@ -28,15 +28,16 @@ class TreeEdits : public ::testing::Test {
     Entity entity;
     entity.name = name;
     entity.parent = parent;
-    entity.kind = solid ? EntityKind::kSolid : EntityKind::kAssembly;
-    if (solid) entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.1, 0.1, 0.1}));
+    entity.body = workcell::Assembly{};
+    if (solid)
+      entity.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.1, 0.1, 0.1}))};
     return entity;
   }
   const Entity& get(const char* name) { return *document_.document().findByName(name); }
   QString shown() {
     QString names;
     for (const auto& entity : document_.document().state().entities)
-      if (entity->visible && entity->mesh) names += QString::fromStdString(entity->name) + ' ';
+      if (entity->visible && entity->mesh()) names += QString::fromStdString(entity->name) + ' ';
     return names;
   }
   std::size_t steps() const { return document_.document().undoTexts().size(); }
@@ -115,7 +116,7 @@ TEST_F(TreeEdits, ACopyStandsBesideWithNamesOfItsOwn) {
   ASSERT_EQ(copies.size(), 4u);
   EXPECT_EQ(document_.document().find(copies.front())->name, "rig 2");
   EXPECT_EQ(get("pad 2").parent, "foot 2");
-  EXPECT_EQ(get("pad 2").mesh, get("pad").mesh) << "meshes are shared";
+  EXPECT_EQ(get("pad 2").mesh(), get("pad").mesh()) << "meshes are shared";
   EXPECT_GT(get("pad 2").X_WE.p.x, get("pad").X_WE.p.x + 0.1);
   EXPECT_EQ(steps(), 2u);
   document_.undo();

@@ -78,12 +78,12 @@ TEST(TrajectoryDock, TheExportDialogWritesEveryFormat) {
   ASSERT_TRUE(file.has_value());
   ASSERT_TRUE(page.add(QString::fromStdString(*file)));
   const workcell::Entity& robot = *page.state().entities.back();
-  ASSERT_TRUE(robot.robot);
+  ASSERT_TRUE(robot.robot());
   Trajectory given;
   given.entity = robot.name;
   given.moved = "tcp";
-  for (const int joint : robot.robot->moving)
-    given.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    given.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   for (int i = 0; i <= 10; ++i) {
     const std::vector<double> joints{0.05 * i, 0.3, 0.4 - 0.02 * i, 0.1, 0.9, 0.01 * i};
     ASSERT_EQ(joints.size(), given.joint_names.size());

@@ -225,7 +225,7 @@ TEST(TrajectoryDock, SeveralEntitiesAreRecordedOnOneClockAndPlayedWithLiveScores
   page.trigger("actionAddMannequin");
   const auto figure = [&page]() -> const workcell::Entity* {
     for (const auto& entity : page.state().entities)
-      if (entity->kind == workcell::EntityKind::kMannequin) return entity.get();
+      if (entity->kind() == workcell::EntityKind::kMannequin) return entity.get();
     return nullptr;
   };
   ASSERT_TRUE(MotionPage::until([&] { return figure() != nullptr; }, MotionPage::kPatience));
@@ -237,9 +237,9 @@ TEST(TrajectoryDock, SeveralEntitiesAreRecordedOnOneClockAndPlayedWithLiveScores
     for (const auto& row : scores->rows()) words << row.name << row.number;
     return words.join(' ');
   };
-  std::vector<double> joints = figure()->joints;
+  std::vector<double> joints = figure()->joints();
   const auto joint = [&](const std::string& name) {
-    const auto& robot = *figure()->robot;
+    const auto& robot = *figure()->robot();
     for (std::size_t i = 0; i < robot.moving.size(); ++i)
       if (robot.joints[static_cast<std::size_t>(robot.moving[i])].name == name) return i;
     return robot.moving.size();

@@ -48,12 +48,12 @@ TEST(KeptMotion, ACopyThatTheRobotDoesNotFollowIsMarkedAndRed) {
   ASSERT_TRUE(file.has_value());
   ASSERT_TRUE(page.add(QString::fromStdString(*file)));
   const workcell::Entity& robot = *page.state().entities.back();
-  ASSERT_TRUE(robot.robot);
+  ASSERT_TRUE(robot.robot());
   Trajectory given;
   given.entity = robot.name;
   given.moved = "tcp";
-  for (const int joint : robot.robot->moving)
-    given.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.robot()->moving)
+    given.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
   const std::vector<double> joints{0.1, 0.3, 0.4, 0.1, 0.9, 0.2};
   Trajectory start = given.emptyCopy();
   ASSERT_TRUE(start.addFrame({0.0, {}}, joints));

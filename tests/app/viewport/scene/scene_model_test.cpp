@@ -20,7 +20,7 @@ workcell::Entity solid(workcell::EntityId id) {
   workcell::Entity entity;
   entity.id = id;
   entity.name = "solid " + std::to_string(id);
-  entity.mesh = box();
+  entity.body = workcell::Solid{box()};
   entity.color = {1.0f, 0.0f, 0.0f};
   return entity;
 }
@@ -45,9 +45,7 @@ workcell::Entity turntable(workcell::EntityId id) {
   workcell::Entity entity;
   entity.id = id;
   entity.name = "robot";
-  entity.kind = workcell::EntityKind::kRobot;
-  entity.robot = model;
-  entity.joints = {0.0};
+  entity.body = workcell::Robot{{.model = model, .joints = {0.0}}};
   return entity;
 }
 
@@ -129,20 +127,20 @@ TEST(SceneModel, AFigureInItsSkinIsDrawnByLooksAndMarksWhereverItsJointsAre) {
   workcell::Entity figure;
   figure.id = 2;
   figure.name = "operator";
-  figure.kind = workcell::EntityKind::kMannequin;
-  figure.figure = std::make_shared<const mannequin::Figure>(*mannequin::makeFigure({mannequin::Sex::kFemale, 1.62}));
-  figure.robot = mannequin::figureModel(*figure.figure);
-  figure.joints.assign(figure.robot->dof(), 0.0);
+  const auto of_her =
+      std::make_shared<const mannequin::Figure>(*mannequin::makeFigure({mannequin::Sex::kFemale, 1.62}));
+  figure.body = workcell::Mannequin{{.model = mannequin::figureModel(*of_her)}, of_her};
+  figure.setJoints(std::vector<double>(figure.robot()->dof(), 0.0));
   scene.setEntities({figure});
   const std::size_t links = scene.items({}).size();
   EXPECT_GT(links, 50u);
-  const auto skin = std::make_shared<const mannequin::FigureSkin>(*figure.figure);
+  const auto skin = std::make_shared<const mannequin::FigureSkin>(*figure.figure());
   scene.setSkin(figure, skin);
   ASSERT_EQ(scene.items({}).size(), 12u);
   EXPECT_TRUE(scene.hasSkin(figure));
   for (const RenderItem& item : scene.items({})) EXPECT_TRUE(item.smooth && item.entity == 2 && item.link == -1);
   EXPECT_EQ(scene.items({})[0].mesh, scene.items({})[0].mesh) << "made once while nothing changes";
-  const int hand = figure.robot->findLink("r_hand");
+  const int hand = figure.robot()->findLink("r_hand");
   scene.setLinkLooks(2, {{hand, LinkLook{{1.0f, 0.0f, 0.0f}, 2}}});
   const auto looked = scene.items({});
   ASSERT_EQ(looked.size(), 13u);
@@ -150,7 +148,7 @@ TEST(SceneModel, AFigureInItsSkinIsDrawnByLooksAndMarksWhereverItsJointsAre) {
       << "colour and pattern are the link's own";
   scene.setLinkLooks(2, {});
   manipulation::SceneSnapshot snapshot;
-  std::vector<double> joints(figure.robot->dof(), 0.0);
+  std::vector<double> joints(figure.robot()->dof(), 0.0);
   joints[mannequin::indexOf(mannequin::Dof::kRightShoulderFlexion)] = 1.5;
   snapshot.entities.push_back({2, Pose::translation({0, 0, 1}), joints, false, false});
   manipulation::PairState touching;
@@ -167,7 +165,7 @@ TEST(SceneModel, AFigureInItsSkinIsDrawnByLooksAndMarksWhereverItsJointsAre) {
   EXPECT_EQ(held[0].X_WM.p, dvec3(0, 0, 1)) << "it goes along";
   EXPECT_GT(scene.boundsOf_W(2).max.x, 0.5) << "the hand ahead";
   workcell::Entity other = figure;
-  other.figure = std::make_shared<const mannequin::Figure>(*figure.figure);
+  std::get<workcell::Mannequin>(other.body).figure = std::make_shared<const mannequin::Figure>(*figure.figure());
   scene.setEntities({other});
   EXPECT_FALSE(scene.hasSkin(other)) << "another size wants another skin";
 }

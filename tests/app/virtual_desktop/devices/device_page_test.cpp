@@ -129,7 +129,7 @@ TEST(GlovedHand, IsTheChosenOnesElseAFreeHandElseTheFirstMannequins) {
   EXPECT_EQ(of_figure.fingers.size(), 3u);
   const std::size_t curl = mannequin::indexOf(mannequin::Dof::kLeftFingersCurl);
   EXPECT_NEAR(of_figure.joints[curl], 0.5, 1e-9);
-  const auto& stands = document.find(figure)->joints;
+  const auto& stands = document.find(figure)->joints();
   for (std::size_t i = 0; i < stands.size(); ++i) {
     const bool finger = std::any_of(of_figure.fingers.begin(), of_figure.fingers.end(),
                                     [i](const auto& one) { return one.front() == i; });

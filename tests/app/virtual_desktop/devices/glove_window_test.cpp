@@ -69,11 +69,11 @@ TEST(GloveInTheWindow, IsCalibratedGraspsAndLetsGo) {
     if (page.snapshot())
       for (const auto& entity : page.snapshot()->entities)
         if (entity.id == hand_id) return bentInAll(entity.joints);
-    return bentInAll(page.document().find(hand_id)->joints);
+    return bentInAll(page.document().find(hand_id)->joints());
   };
   double most = 0.0, nearest = 1.0;  // However short it was seen; m between the bar and what of the hand is near it.
   const auto held = [&] {
-    most = std::max({most, bend(), bentInAll(page.document().find(hand_id)->joints)});
+    most = std::max({most, bend(), bentInAll(page.document().find(hand_id)->joints())});
     if (page.snapshot())
       for (const auto& pair : page.snapshot()->pairs)
         if (pair.moved == hand_id && pair.other == bar) nearest = std::min(nearest, pair.distance);
@@ -146,7 +146,7 @@ TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
   const workcell::EntityId hand_id = page.document().findByName("right hand")->id;
   const auto bend = [&] {
     const auto* shown = stateOf(hand_id);
-    return shown ? shown->joints[5] : page.document().find(hand_id)->joints[5];
+    return shown ? shown->joints[5] : page.document().find(hand_id)->joints()[5];
   };
   EXPECT_TRUE(WindowPage::until([&] { return bend() > 0.8; }, kPatience)) << "the glove closes the hand";
 
