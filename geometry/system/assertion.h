@@ -18,7 +18,7 @@ const char* brokenContract();
 
 /// A contract between pieces of this program, checked in every build. Never for input from outside.
 #define HAPTICELL_DEMAND(condition) \
-  (static_cast<bool>(condition) ? void(0) : ::hapticell::detail::contractBroken(#condition, __FILE__, __LINE__))
+  (static_cast<bool>(condition) ? void(0) : ::hapticell::detail::contractBroken(#condition, __builtin_FILE(), __LINE__))
 
 /// The same, checked in debug builds only (for inner loops).
 #ifdef NDEBUG
