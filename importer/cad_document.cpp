@@ -160,7 +160,7 @@ class TreeWalker {
     node.assembly = XCAFDoc_ShapeTool::IsAssembly(node.definition);
     const std::string instance = node.definition == label ? "" : nameOf(label);
     node.name = nameOf(node.definition);
-    if (node.name.empty()) node.name = instance;
+    if (node.name.empty() || (node.name.starts_with(kSharedPart) && !instance.empty())) node.name = instance;
     if (instance != node.name) node.instance = instance;
     if (node.name.empty() && parent < 0) node.name = stem_;
     if (node.name.empty()) node.name = node.assembly ? "assembly" : "part";

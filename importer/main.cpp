@@ -25,10 +25,12 @@
 #include "importer/library_fault.h"
 #include "importer/parent_link.h"
 #include "importer/resource_limits.h"
+#include "importer/sdf_resolver.h"
 #include "importer/step_text.h"
 #include "importer/step_writer.h"
 #include "workcell/scenes/scene_batch.h"
 #include "workcell/scenes/scene_exchange.h"
+#include "workcell/scenes/sdf_exchange.h"
 
 namespace {
 
@@ -139,8 +141,17 @@ Expected<void> write(const Call& call, ParentLink& parent) {
   return writeStep(*scene, call.file, parent);
 }
 
+/// The text that the parent left, as libsdformat understands it.
+Expected<void> resolve(const Call& call, ParentLink& parent) {
+  parent.progress(0.0, "reading " + call.file.filename().string());
+  const auto content = resolveSdf(parent.readScene());
+  if (!content) return hapticell::makeError(content.error());
+  return handOver(hapticell::workcell::sdfBytes(*content), parent);
+}
+
 Expected<void> perform(const Call& call, ParentLink& parent) {
   if (call.action == "read-all") return readAll(call, parent);
+  if (call.action == "resolve-sdf") return resolve(call, parent);
   return call.action == "write" ? write(call, parent) : read(call, parent);
 }
 
@@ -152,6 +163,7 @@ them. It is not meant to be started by hand: use hapticell-cli convert.
 Actions:
   read FILE              read a STEP, IGES, glTF, Collada, 3MF, FBX or 3DS file
   read-all               read the files named by the starting program, one per line
+  resolve-sdf FILE       read the SDF text that the starting program made of this file
   write FILE             write the scene of the starting program as STEP
 
 Options:
@@ -182,7 +194,8 @@ bool answers(std::string_view option) {
 int main(int argc, char** argv) {
   const Call call = parse(argc, argv);
   if (answers(call.action)) return 0;
-  if (call.action != "read" && call.action != "read-all" && call.action != "write") return 2;
+  const std::set<std::string> actions = {"read", "read-all", "resolve-sdf", "write"};
+  if (!actions.contains(call.action)) return 2;
   limitResources(static_cast<std::uint64_t>(call.number("--memory").value_or(6e9)),
                  static_cast<std::uint64_t>(call.number("--seconds").value_or(600.0)));
   ParentLink parent;

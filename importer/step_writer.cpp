@@ -20,6 +20,7 @@
 #include <gp_Trsf.hxx>
 #include <map>
 #include <memory>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -114,6 +115,15 @@ class StepBuilder {
       const int above = scene.nodes[k].parent;
       (above < 0 ? roots_ : children_[static_cast<std::size_t>(above)]).push_back(k);
     }
+    for (const SceneNode& node : scene.nodes) {
+      if (!node.instance.empty()) with_named_uses_.insert(shapeKeyOf(node));
+    }
+    for (const SceneNode& node : scene.nodes) {
+      if (node.mesh < 0) continue;
+      const auto [known, is_new] = part_names_.try_emplace(keyOf(node), node.name);
+      if (!is_new && known->second != node.name && !known->second.starts_with(kSharedPart))
+        known->second = kSharedPart + known->second;
+    }
   }
 
   Expected<CadDocument> build() {
@@ -137,6 +147,19 @@ class StepBuilder {
 
   static void setName(const TDF_Label& label, const std::string& name) {
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
+  }
+
+  /// Nodes of one shape and colour are uses of one part. Their names may differ, as each use carries its own, but not
+  /// where a use has a name of its own beside the part's.
+  using ShapeKey = std::tuple<int, bool, std::array<float, 3>>;
+  using Key = std::pair<ShapeKey, std::string>;
+  static ShapeKey shapeKeyOf(const SceneNode& node) {
+    const auto color = node.color.value_or(std::array<float, 3>{-1.0f, -1.0f, -1.0f});
+    return {node.mesh, node.origin.has_value(), color};
+  }
+  Key keyOf(const SceneNode& node) const {
+    const ShapeKey shape = shapeKeyOf(node);
+    return {shape, with_named_uses_.contains(shape) ? node.name : std::string()};
   }
 
   void setColor(const TDF_Label& label, const SceneNode& node) {
@@ -175,13 +198,12 @@ class StepBuilder {
   }
 
   Expected<TDF_Label> definePart(const SceneNode& node) {
-    const auto color = node.color.value_or(std::array<float, 3>{-1.0f, -1.0f, -1.0f});
-    const auto key = std::tuple(node.mesh, node.name, color);
+    const Key key = keyOf(node);
     if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
     auto shape = shapeOf(node);
     HAPTICELL_TRY(shape);
     const TDF_Label label = shapes_->AddShape(*shape, false);
-    setName(label, node.name);
+    setName(label, part_names_.at(key));
     setColor(label, node);
     if (node.origin) keepFaceColors(label, node);
     parts_[key] = label;
@@ -263,7 +285,9 @@ class StepBuilder {
   Handle(XCAFDoc_ColorTool) colors_;
   std::vector<std::size_t> roots_;
   std::vector<std::vector<std::size_t>> children_;
-  std::map<std::tuple<int, std::string, std::array<float, 3>>, TDF_Label> parts_;
+  std::set<ShapeKey> with_named_uses_;
+  std::map<Key, std::string> part_names_;
+  std::map<Key, TDF_Label> parts_;
   std::map<std::string, std::unique_ptr<SourceParts>> sources_;
 };
 

@@ -61,7 +61,7 @@ ordered_json linkReport(const kinematics::Link& link, const Pose& X_WL) {
   geometry::TriangleMesh whole;
   for (const kinematics::LinkShape& shape : link.visuals) geometry::append(whole, *shape.mesh, shape.X_LS);
   const auto& color = link.visuals.front().color;
-  return meshReport(link.name, whole, X_WL, {color[0], color[1], color[2]});
+  return meshReport(link.name, whole, X_WL, {color[0], color[1], color[2]}, factsOf(whole));
 }
 
 const char* wordOf(kinematics::JointType type) {
@@ -177,17 +177,21 @@ ordered_json frameReport(const workcell::Entity& entity) {
 
 }  // namespace
 
-ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
-                        const std::array<float, 3>& color) {
-  geometry::Bounds bounds;
-  for (const dvec3& p_MV : mesh.vertices) bounds.add(X_WM * p_MV);
+SolidFacts factsOf(const geometry::TriangleMesh& mesh) {
   geometry::TriangleMesh welded = mesh;
   geometry::weld(welded, geometry::weldTolerance(welded));
+  return {geometry::enclosedVolume(mesh), geometry::isClosed(welded)};
+}
+
+ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
+                        const std::array<float, 3>& color, const SolidFacts& facts) {
+  geometry::Bounds bounds;
+  for (const dvec3& p_MV : mesh.vertices) bounds.add(X_WM * p_MV);
   ordered_json report{{"name", name}, {"kind", "solid"}, {"color", colorReport(color[0], color[1], color[2])}};
   report["triangles"] = mesh.triangles.size();
   report["bounds"] = boundsReport(bounds);
-  report["volume"] = geometry::massProperties(mesh).volume;
-  report["closed"] = geometry::isClosed(welded);
+  report["volume"] = facts.volume;
+  report["closed"] = facts.closed;
   report["children"] = ordered_json::array();
   return report;
 }
@@ -195,7 +199,7 @@ ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& m
 ordered_json entityReport(const workcell::Entity& entity) {
   switch (entity.kind()) {
     case workcell::EntityKind::kSolid:
-      if (entity.mesh()) return meshReport(entity.name, *entity.mesh(), entity.X_WE, entity.color);
+      if (entity.mesh()) return meshReport(entity.name, *entity.mesh(), entity.X_WE, entity.color, factsOf(*entity.mesh()));
       break;
     case workcell::EntityKind::kRobot:
     case workcell::EntityKind::kMechanism:
@@ -261,7 +265,7 @@ ordered_json treeReport(const std::vector<workcell::Entity>& entities) {
   return TreeReporter(entities).report();
 }
 
-ordered_json sceneReport(const workcell::ImportedScene& scene) {
+ordered_json sceneReport(const workcell::ImportedScene& scene, std::span<const SolidFacts> known) {
   const std::vector<Pose> X_W = workcell::nodePoses(scene);
   std::vector<ordered_json> reports(scene.nodes.size());
   std::vector<ordered_json> children(scene.nodes.size(), ordered_json::array());
@@ -279,12 +283,16 @@ ordered_json sceneReport(const workcell::ImportedScene& scene) {
       report = groupReport(node.name, "assembly", std::move(children[k]));
       if (node.color) report["color"] = colorReport((*node.color)[0], (*node.color)[1], (*node.color)[2]);
     } else {
-      const geometry::TriangleMesh& mesh = scene.meshes[static_cast<std::size_t>(node.mesh)];
+      const auto number = static_cast<std::size_t>(node.mesh);
+      const geometry::TriangleMesh& mesh = scene.meshes[number];
       const workcell::Entity plain;
       const auto color = node.color.value_or(plain.color);
-      auto& known = shapes[node.mesh];
-      if (known.is_null()) known = meshReport(node.name, mesh, Pose::identity(), color);
-      report = known;
+      auto& shape = shapes[node.mesh];
+      if (shape.is_null()) {
+        const SolidFacts facts = number < known.size() ? known[number] : factsOf(mesh);
+        shape = meshReport(node.name, mesh, Pose::identity(), color, facts);
+      }
+      report = shape;
       report["name"] = node.name;
       report["color"] = colorReport(color[0], color[1], color[2]);
       geometry::Bounds bounds;

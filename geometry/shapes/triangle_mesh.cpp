@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
-#include <unordered_set>
+#include <span>
 
 #include "geometry/shapes/vertex_merge.h"
+#include "geometry/system/in_parallel.h"
 
 namespace hapticell::geometry {
 
@@ -14,102 +14,64 @@ namespace {
 
 constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
 
-std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
-  a ^= b + 0x9E3779B97F4A7C15ull + (a << 6) + (a >> 2);
-  return a * 0xBF58476D1CE4E5B9ull;
-}
-
-struct Cell {
-  std::int64_t x, y, z;
-  bool operator==(const Cell&) const = default;
-};
-
-struct CellHash {
-  std::size_t operator()(const Cell& c) const {
-    return mix(mix(static_cast<std::uint64_t>(c.x), static_cast<std::uint64_t>(c.y)), static_cast<std::uint64_t>(c.z));
-  }
-};
-
-struct TriangleHash {
-  std::size_t operator()(const Triangle& t) const { return mix(mix(t[0], t[1]), t[2]); }
-};
-
-Cell cellOf(const dvec3& point, double size) {
-  const dvec3 scaled = glm::floor(point / size);
-  return {static_cast<std::int64_t>(scaled.x), static_cast<std::int64_t>(scaled.y),
-          static_cast<std::int64_t>(scaled.z)};
-}
-
-/// Kept vertices by the cell they stand in; those of one cell form a chain.
-class VertexGrid {
- public:
-  VertexGrid(const std::vector<dvec3>& vertices, double tolerance, double size)
-      : vertices_(vertices), tolerance_(tolerance), size_(size), next_(vertices.size(), kUnused) {
-    first_.reserve(vertices.size() / 2);
-  }
-
-  /// The first kept vertex within tolerance of vertex i, looked for in the cells that the tolerance reaches (mostly
-  /// one).
-  std::uint32_t find(std::uint32_t i) const {
-    const Cell low = cellOf(vertices_[i] - tolerance_, size_), high = cellOf(vertices_[i] + tolerance_, size_);
-    std::uint32_t found = kUnused;
-    for (std::int64_t x = low.x; x <= high.x; ++x) {
-      for (std::int64_t y = low.y; y <= high.y; ++y) {
-        for (std::int64_t z = low.z; z <= high.z; ++z) found = std::min(found, findIn({x, y, z}, i));
-      }
-    }
-    return found;
-  }
-
-  void keep(std::uint32_t i) {
-    const auto [it, is_new] = first_.try_emplace(cellOf(vertices_[i], size_), i);
-    if (is_new) return;
-    next_[i] = it->second;
-    it->second = i;
-  }
-
- private:
-  std::uint32_t findIn(const Cell& cell, std::uint32_t i) const {
-    const auto it = first_.find(cell);
-    std::uint32_t found = kUnused;
-    for (std::uint32_t j = it == first_.end() ? kUnused : it->second; j != kUnused; j = next_[j]) {
-      if (glm::distance(vertices_[i], vertices_[j]) <= tolerance_) found = std::min(found, j);
-    }
-    return found;
-  }
-
-  const std::vector<dvec3>& vertices_;
-  double tolerance_;
-  double size_;
-  std::unordered_map<Cell, std::uint32_t, CellHash> first_;
-  std::vector<std::uint32_t> next_;
-};
-
-/// For each vertex the index of the first kept vertex within tolerance of it; itself if there is no such vertex.
-std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance,
-                                           std::uint32_t& merged) {
-  const Bounds box = boundsOf(vertices);
-  const dvec3 largest = box.isEmpty() ? dvec3(0.0) : glm::max(glm::abs(box.min), glm::abs(box.max));
-  // Cells of a few tolerances; not so small that their number would not fit an integer.
-  const double size = std::max({4.0 * tolerance, 1e-12 * std::max({largest.x, largest.y, largest.z}), 1e-300});
-  VertexGrid grid(vertices, tolerance, size);
-  std::vector<std::uint32_t> result(vertices.size());
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const std::uint32_t found = grid.find(i);
-    if (found == kUnused) {
-      grid.keep(i);
-    } else {
-      ++merged;
-    }
-    result[i] = found == kUnused ? i : found;
-  }
-  return result;
-}
-
 bool isDegenerate(const TriangleMesh& mesh, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
   const dvec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
   return glm::length(glm::cross(b - a, c - a)) == 0.0;
+}
+
+/// The triangle from its smallest corner on. The same corners in the same turning sense are a duplicate; turned round
+/// they are the other side of a thin wall.
+Triangle fromSmallest(Triangle t) {
+  if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
+  if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
+  return t;
+}
+
+/// Marks those of `numbers` (triangles that have their smallest corner in common) that an earlier one equals.
+void markRepeated(const TriangleMesh& mesh, std::span<std::uint32_t> numbers, std::vector<std::uint8_t>& repeated) {
+  const auto key = [&](std::uint32_t number) { return fromSmallest(mesh.triangles[number]); };
+  // Triangles from which on sorting is quicker than comparing each with each. Half, twice: no effect.
+  constexpr std::size_t kFew = 12;
+  if (numbers.size() <= kFew) {
+    for (std::size_t k = 1; k < numbers.size(); ++k) {
+      for (std::size_t j = 0; j < k && !repeated[numbers[k]]; ++j) repeated[numbers[k]] = key(numbers[j]) == key(numbers[k]);
+    }
+    return;
+  }
+  std::sort(numbers.begin(), numbers.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Triangle first = key(a), second = key(b);
+    return first != second ? first < second : a < b;
+  });
+  for (std::size_t k = 1; k < numbers.size(); ++k) repeated[numbers[k]] = key(numbers[k - 1]) == key(numbers[k]);
+}
+
+/// Drops triangles that an earlier one equals, and says how many.
+std::uint32_t dropDuplicates(TriangleMesh& mesh) {
+  const std::size_t count = mesh.triangles.size(), vertices = mesh.vertices.size();
+  std::vector<std::uint32_t> begin(vertices + 1, 0), numbers(count);
+  const auto smallest = [&](std::size_t number) {
+    const Triangle& t = mesh.triangles[number];
+    return std::min({t[0], t[1], t[2]});
+  };
+  for (std::size_t k = 0; k < count; ++k) ++begin[smallest(k)];
+  std::uint32_t sum = 0;  // Each place becomes the end of its triangles, from where they are filled in backwards.
+  for (std::uint32_t& place : begin) place = sum += place;
+  for (std::size_t k = count; k-- > 0;) numbers[--begin[smallest(k)]] = static_cast<std::uint32_t>(k);
+  std::vector<std::uint8_t> repeated(count, 0);
+  // Vertices for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 20'000;
+  inRanges(vertices, rangesOf(vertices, kLeast), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      markRepeated(mesh, std::span(numbers).subspan(begin[v], begin[v + 1] - begin[v]), repeated);
+    }
+  });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!repeated[k]) mesh.triangles[kept++] = mesh.triangles[k];
+  }
+  mesh.triangles.resize(kept);
+  return static_cast<std::uint32_t>(count - kept);
 }
 
 void dropUnusedVertices(TriangleMesh& mesh) {
@@ -129,11 +91,6 @@ void dropUnusedVertices(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, double tolerance) {
-  std::uint32_t ignored = 0;
-  return representatives(vertices, tolerance, ignored);
-}
-
 Bounds TriangleMesh::bounds() const {
   return boundsOf(vertices);
 }
@@ -148,27 +105,20 @@ double weldTolerance(const TriangleMesh& mesh) {
 
 WeldReport weld(TriangleMesh& mesh, double tolerance) {
   WeldReport report;
-  const std::vector<std::uint32_t> same_as = representatives(mesh.vertices, tolerance, report.merged_vertices);
-  std::unordered_set<Triangle, TriangleHash> seen;
-  seen.reserve(mesh.triangles.size());
-  std::vector<Triangle> kept;
-  kept.reserve(mesh.triangles.size());
-  for (Triangle t : mesh.triangles) {
-    for (std::uint32_t& index : t) index = same_as[index];
-    if (isDegenerate(mesh, t)) {
-      ++report.degenerate_triangles;
-      continue;
+  {
+    const std::vector<std::uint32_t> same_as = mergedVertices(mesh.vertices, tolerance, &report.merged_vertices);
+    std::size_t kept = 0;
+    for (Triangle t : mesh.triangles) {
+      for (std::uint32_t& index : t) index = same_as[index];
+      if (isDegenerate(mesh, t)) {
+        ++report.degenerate_triangles;
+      } else {
+        mesh.triangles[kept++] = t;
+      }
     }
-    // The same corners in the same turning sense are a duplicate; turned round they are the other side of a thin wall.
-    Triangle key = t;
-    std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
-    if (!seen.insert(key).second) {
-      ++report.duplicate_triangles;
-      continue;
-    }
-    kept.push_back(t);
+    mesh.triangles.resize(kept);
   }
-  mesh.triangles = std::move(kept);
+  report.duplicate_triangles = dropDuplicates(mesh);
   dropUnusedVertices(mesh);
   return report;
 }

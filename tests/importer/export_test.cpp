@@ -81,6 +81,57 @@ TEST_F(Export, StepComesBackAsItWent) {
   EXPECT_EQ(again->meshes[0].triangles.size(), 12u);
 }
 
+/// How often a STEP file holds an entity.
+std::size_t countIn(const std::string& step, const std::string& entity) {
+  std::size_t count = 0;
+  for (std::size_t at = step.find(entity); at != std::string::npos; at = step.find(entity, at + 1)) ++count;
+  return count;
+}
+
+/// `uses` spheres of one mesh with names of their own, in two colours, each placed askew.
+ImportedScene manyUses(int uses) {
+  ImportedScene scene;
+  scene.meshes = {geometry::makeSphere(0.02, 16)};
+  for (int k = 0; k < uses; ++k) {
+    SceneNode node;
+    node.name = "ball at place " + std::to_string(k);
+    node.mesh = 0;
+    node.color = k % 2 == 0 ? std::array<float, 3>{1.0f, 0.25f, 0.0f} : std::array<float, 3>{0.0f, 0.5f, 1.0f};
+    node.X_PN = {{0.1 * k, -0.05 * k, 0.01 * k}, glm::normalize(dquat(1.0, 0.01 * k, 0.3, -0.2))};
+    scene.nodes.push_back(node);
+  }
+  return scene;
+}
+
+TEST_F(Export, StepHoldsTheShapeOfManyUsesOnceForEachColour) {
+  const ImportedScene one = manyUses(2), many = manyUses(40);
+  ASSERT_TRUE(write(one, "one.step"));
+  ASSERT_TRUE(write(many, "many.step"));
+  const std::string few = *readFileContent(folder_.path() / "one.step"),
+                    all = *readFileContent(folder_.path() / "many.step");
+  EXPECT_EQ(countIn(all, "ADVANCED_FACE"), 2 * many.meshes[0].triangles.size());
+  EXPECT_EQ(countIn(all, "MANIFOLD_SOLID_BREP"), 2u);
+  EXPECT_EQ(countIn(all, "NEXT_ASSEMBLY_USAGE_OCCURRENCE"), 40u);
+  EXPECT_LT(static_cast<double>(all.size()), 1.5 * static_cast<double>(few.size()));
+  const auto again = readScene(folder_.path() / "many.step", {}, nullptr);
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->meshes.size(), 2u);
+  expectSame(*again, many, 1e-6);
+}
+
+TEST_F(Export, StepKeepsTheNamesOfPartsBesideThoseOfTheirUses) {
+  ImportedScene scene = manyUses(4);
+  for (SceneNode& node : scene.nodes) node.color = {1.0f, 0.25f, 0.0f};
+  scene.nodes[0].name = scene.nodes[1].name = "left";
+  scene.nodes[2].name = scene.nodes[3].name = "right";
+  scene.nodes[1].instance = "left, the second";
+  ASSERT_TRUE(write(scene, "a.step"));
+  const auto again = readScene(folder_.path() / "a.step", {}, nullptr);
+  ASSERT_TRUE(again) << again.error().message();
+  expectSame(*again, scene, 1e-6);
+  EXPECT_EQ(again->nodes[1].instance, "left, the second");
+}
+
 TEST_F(Export, GltfComesBackAsItWent) {
   const ImportedScene scene = smallScene();
   for (const char* name : {"a.glb", "a.gltf"}) {
@@ -152,15 +203,7 @@ TEST_F(Export, MovedPartsOfARealAssemblyKeepTheirExactShapes) {
   expectSame(*again, *scene, 1e-6);
   // The curved faces are still those of the source, not facets.
   const std::string text = *readFileContent(folder_.path() / "moved.step"), source = *readFileContent(file);
-  const auto faces = [](const std::string& step) {
-    std::size_t count = 0;
-    for (std::size_t at = step.find("ADVANCED_FACE"); at != std::string::npos;
-         at = step.find("ADVANCED_FACE", at + 1)) {
-      ++count;
-    }
-    return count;
-  };
-  EXPECT_EQ(faces(text), faces(source));
+  EXPECT_EQ(countIn(text, "ADVANCED_FACE"), countIn(source, "ADVANCED_FACE"));
 }
 
 }  // namespace

@@ -134,11 +134,13 @@ double unitOf(const RawMesh& raw, const MeshReadOptions& options) {
   return unit;
 }
 
-/// To metres and, where asked for, welded; what welding did is added up.
-void finish(geometry::TriangleMesh& mesh, double metres_per_unit, const MeshReadOptions& options,
+/// To metres and, where asked for, welded; what welding did is added up. Corners that were shared when the file was read
+/// count as merged.
+void finish(geometry::TriangleMesh& mesh, double metres_per_unit, bool shared_corners, const MeshReadOptions& options,
             geometry::WeldReport& sum) {
   for (dvec3& vertex : mesh.vertices) vertex *= metres_per_unit;
   if (!options.weld) return;
+  if (shared_corners) sum.merged_vertices += static_cast<std::uint32_t>(3 * mesh.triangles.size() - mesh.vertices.size());
   const geometry::WeldReport weld = geometry::weld(mesh, geometry::weldTolerance(mesh));
   sum.merged_vertices += weld.merged_vertices;
   sum.degenerate_triangles += weld.degenerate_triangles;
@@ -208,7 +210,7 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
   file.unit_is_stated = raw->metres_per_unit.has_value();
   file.triangles_in_file = raw->mesh.triangles.size();
   file.mesh = std::move(raw->mesh);
-  finish(file.mesh, file.metres_per_unit, options, file.weld);
+  finish(file.mesh, file.metres_per_unit, raw->shared_corners, options, file.weld);
   if (file.mesh.triangles.empty()) return makeError(nothingLeft(name, file.triangles_in_file));
   warnAboutWelding(file.weld, diagnostics);
   warnAboutFacing(std::array<const geometry::TriangleMesh*, 1>{&file.mesh}, options, diagnostics);
@@ -228,10 +230,11 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
   file.unit_is_stated = raw->metres_per_unit.has_value();
   file.triangles_in_file = raw->mesh.triangles.size();
   const auto materials = readObjMaterials(path, raw->material_files, diagnostics);
+  const bool shared_corners = raw->shared_corners;
   file.parts = partsOf(std::move(*raw), materials, split, diagnostics);
   geometry::Bounds bounds;
   for (MeshPart& part : file.parts) {
-    finish(part.mesh, file.metres_per_unit, options, file.weld);
+    finish(part.mesh, file.metres_per_unit, shared_corners, options, file.weld);
     bounds.add(part.mesh.bounds());
   }
   const std::size_t gone = std::erase_if(file.parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });

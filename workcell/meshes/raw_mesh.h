@@ -31,6 +31,7 @@ struct MeshLabel {
 /// What a reader makes of a file: triangles in the file's own unit and what it says about them. Nothing is welded.
 struct RawMesh {
   geometry::TriangleMesh mesh;
+  bool shared_corners = false;       ///< A soup in the file, of which corners at one place were made one vertex.
   std::vector<std::uint32_t> label;  ///< Of each triangle, an index into `labels`; empty: the file names nothing.
   std::vector<MeshLabel> labels;
   std::vector<Color> color;                 ///< Of each triangle, kNoColor where it has none; empty: no face has one.

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cctype>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "geometry/system/in_parallel.h"
 #include "geometry/system/text_case.h"
 #include "workcell/meshes/byte_source.h"
 #include "workcell/meshes/mesh_formats.h"
+#include "workcell/meshes/shared_corners.h"
 #include "workcell/meshes/unit_statement.h"
 #include "workcell/text/text_cursor.h"
 
@@ -30,26 +38,68 @@ Error wrongWord(const TextCursor& cursor, std::string_view word, const Text& exp
 }
 
 /// One facet behind its word "facet". The normal is not used (exporters write NaN there for slivers): any words pass.
-Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
+Expected<geometry::Triangle> readFacet(TextCursor& cursor, SharedCorners& corners) {
   cursor.restOfLine();
   for (const char* expected : {"outer", "loop"}) {
     const std::string_view word = cursor.nextWordOfText();
     if (!sameButForCase(word, expected)) return makeError(wrongWord(cursor, word, "'outer loop'"));
   }
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (int corner = 0; corner < 3; ++corner) {
+  geometry::Triangle triangle{};
+  for (std::uint32_t& corner : triangle) {
     const std::string_view word = cursor.nextWordOfText();
     if (!sameButForCase(word, "vertex")) return makeError(wrongWord(cursor, word, Text("'vertex' (three per facet)")));
     const Expected<dvec3> point = readPoint(cursor);
     HAPTICELL_TRY(point);
-    mesh.vertices.push_back(*point);
+    corner = corners.add(*point);
   }
   for (const char* expected : {"endloop", "endfacet"}) {
     const std::string_view word = cursor.nextWordOfText();
     if (!sameButForCase(word, expected)) return makeError(wrongWord(cursor, word, inQuotes(expected)));
   }
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  return {};
+  return triangle;
+}
+
+/// Triangles [begin, end) of a binary STL, or the first of them with an unusable coordinate.
+struct BinaryRange {
+  std::vector<geometry::Triangle> triangles;
+  SharedCorners corners;
+  std::optional<std::pair<std::size_t, dvec3>> unusable;
+
+  void read(std::string_view content, std::size_t begin, std::size_t end) {
+    // Triangles in one go. Half, twice: no effect.
+    constexpr std::size_t kBatch = 64;
+    std::array<dvec3, 3 * kBatch> points;
+    triangles.resize(end - begin);
+    corners.reserve((end - begin) / 2 + 16);  // As many vertices has a closed surface.
+    for (std::size_t first = begin; first < end; first += kBatch) {
+      const std::size_t count = std::min(kBatch, end - first);
+      for (std::size_t k = 0; k < 3 * count; ++k) {
+        const std::size_t triangle = first + k / 3;
+        points[k] = pointAt(content.substr(kHeaderBytes + kTriangleBytes * triangle + 12 * (1 + k % 3)));
+        if (isUsable(points[k])) continue;
+        unusable = {triangle, points[k]};
+        return;
+      }
+      corners.add(std::span(points).first(3 * count), triangles[first - begin].data());
+    }
+  }
+
+  static dvec3 pointAt(std::string_view bytes) {
+    return {readNumber<float>(bytes, std::endian::little), readNumber<float>(bytes.substr(4), std::endian::little),
+            readNumber<float>(bytes.substr(8), std::endian::little)};
+  }
+};
+
+/// Appends what stands behind it in the file.
+void append(BinaryRange& whole, BinaryRange& next) {
+  const std::vector<dvec3>& vertices = next.corners.vertices();
+  std::vector<std::uint32_t> numbers(vertices.size());
+  whole.corners.add(vertices, numbers.data());
+  whole.triangles.reserve(whole.triangles.size() + next.triangles.size());
+  for (const geometry::Triangle& t : next.triangles) {
+    whole.triangles.push_back({numbers[t[0]], numbers[t[1]], numbers[t[2]]});
+  }
+  next = {};
 }
 
 }  // namespace
@@ -60,7 +110,8 @@ bool hasLengthOfBinaryStl(std::string_view content) {
 
 Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
   RawMesh raw;
-  geometry::TriangleMesh& mesh = raw.mesh;
+  raw.shared_corners = true;
+  SharedCorners corners;
   TextCursor cursor(content);
   bool in_solid = false;
   while (true) {
@@ -68,10 +119,12 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
     if (word.empty()) break;
     if (!in_solid && sameButForCase(word, "solid")) {
       const std::string_view name = cursor.restOfLine();
-      if (mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
+      if (raw.mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
       in_solid = true;
     } else if (in_solid && sameButForCase(word, "facet")) {
-      HAPTICELL_TRY(readFacet(cursor, mesh));
+      const auto triangle = readFacet(cursor, corners);
+      HAPTICELL_TRY(triangle);
+      raw.mesh.triangles.push_back(*triangle);
     } else if (in_solid && sameButForCase(word, "endsolid")) {
       cursor.restOfLine();
       in_solid = false;
@@ -80,6 +133,7 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
     }
   }
   if (in_solid) return makeError(wrongWord(cursor, {}, Text("'facet' or 'endsolid'")));
+  raw.mesh.vertices = corners.take();
   return raw;
 }
 
@@ -107,23 +161,21 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   if (spare > 0) diagnostics.warn(Text("%1 bytes after the last triangle were not read", spare));
   RawMesh raw;
   raw.metres_per_unit = statedUnit(content.substr(0, kHeaderBytes - 4));
-  geometry::TriangleMesh& mesh = raw.mesh;
-  mesh.vertices.reserve(3 * count);
-  mesh.triangles.reserve(count);
-  for (std::size_t triangle = 0; triangle < count; ++triangle) {
-    const std::string_view bytes = content.substr(kHeaderBytes + kTriangleBytes * triangle + 12);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      dvec3 point;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t at = 4 * (3 * corner + axis);
-        point[static_cast<int>(axis)] = readNumber<float>(bytes.substr(at), std::endian::little);
-      }
-      if (!isUsable(point)) return makeError(unusableCoordinate(triangleOf(triangle, count), point));
-      mesh.vertices.push_back(point);
+  raw.shared_corners = true;
+  // Triangles for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 50'000;
+  std::vector<BinaryRange> ranges(geometry::rangesOf(count, kLeast));
+  geometry::inRanges(count, ranges.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    ranges[range].read(content, begin, end);
+  });
+  for (BinaryRange& range : ranges) {
+    if (range.unusable) {
+      return makeError(unusableCoordinate(triangleOf(range.unusable->first, count), range.unusable->second));
     }
-    mesh.triangles.push_back({first, first + 1, first + 2});
+    if (&range != &ranges.front()) append(ranges.front(), range);
   }
+  raw.mesh.triangles = std::move(ranges.front().triangles);
+  raw.mesh.vertices = ranges.front().corners.take();
   return raw;
 }
 

@@ -51,10 +51,10 @@ struct ImportedScene {
 /// FBX, 3DS), recognised by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
 bool holdsScene(const std::filesystem::path& file);
 
-/// Reads such a file (with `options.merge` robots of an SDF world as solids); SDF in this process, the others in one of
-/// their own (`hapticell-importer`), so that a crash, a hang or a blow-up there is an error here. Whatever that process
-/// sends is checked: sizes, indices, finite numbers, unit quaternions, a tree. `monitor` may be null; a cancelled one
-/// ends the process within 0.2 s. Blocks; any thread.
+/// Reads such a file (with `options.merge` robots of an SDF world as solids) in a process of its own
+/// (`hapticell-importer`), so that a crash, a hang or a blow-up there is an error here. Whatever that process sends is
+/// checked: sizes, indices, finite numbers, unit quaternions, a tree. `monitor` may be null; a cancelled one ends the
+/// process within 0.2 s. Blocks; any thread.
 ///
 /// Errors: the program is missing, no such file, not readable as its format, no shape in it, time or memory used up,
 /// cancelled.

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "geometry/system/packed_text.h"
+#include "workcell/scenes/packed_bytes.h"
 
 namespace hapticell::workcell {
 
@@ -17,77 +16,7 @@ namespace {
 
 constexpr std::string_view kMagic("HCSCENE\3", 8);
 
-class Writer {
- public:
-  template <typename T>
-  void number(T value) {
-    static_assert(std::is_arithmetic_v<T>);
-    raw(&value, sizeof value);
-  }
-  void text(const std::string& text) {
-    number(static_cast<std::uint32_t>(text.size()));
-    bytes.append(text);
-  }
-  void raw(const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
-  void pose(const Pose& X) {
-    for (double value : {X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z}) number(value);
-  }
-  std::string bytes;
-};
-
-/// Takes values off the front; `failed` stays true from the first one that is not there or not sound.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
-
-  bool failed = false;
-  std::size_t left() const { return rest_.size(); }
-
-  template <typename T>
-  T number() {
-    T value{};
-    take(&value, sizeof value);
-    if constexpr (std::is_floating_point_v<T>) require(std::isfinite(value));
-    return value;
-  }
-  std::string text() {
-    const auto size = number<std::uint32_t>();
-    if (!require(size <= rest_.size())) return {};
-    std::string result(rest_.substr(0, size));
-    rest_.remove_prefix(size);
-    return result;
-  }
-  /// How many of something of at least `smallest` bytes follow.
-  std::size_t count(std::size_t smallest) {
-    const auto n = number<std::uint64_t>();
-    return require(n <= rest_.size() / smallest) ? static_cast<std::size_t>(n) : 0;
-  }
-  void take(void* data, std::size_t size) {
-    if (!require(size <= rest_.size()) || size == 0) return;
-    std::memcpy(data, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-  Pose pose() {
-    Pose X;
-    for (int k = 0; k < 3; ++k) X.p[k] = number<double>();
-    X.q.w = number<double>();
-    X.q.x = number<double>();
-    X.q.y = number<double>();
-    X.q.z = number<double>();
-    require(X.isValid());
-    return X;
-  }
-  bool require(bool sound) {
-    if (!sound) failed = true;
-    if (failed) rest_ = {};
-    return !failed;
-  }
-
- private:
-  std::string_view rest_;
-};
-
-void writeMesh(const geometry::TriangleMesh& mesh, Writer& writer) {
+void writeMesh(const geometry::TriangleMesh& mesh, PackedWriter& writer) {
   static_assert(sizeof(dvec3) == 24 && sizeof(geometry::Triangle) == 12);
   writer.number(std::uint64_t{mesh.vertices.size()});
   writer.raw(mesh.vertices.data(), mesh.vertices.size() * sizeof(dvec3));
@@ -101,7 +30,7 @@ bool isCoordinate(const dvec3& p) {
   return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
 }
 
-geometry::TriangleMesh readMesh(Reader& reader) {
+geometry::TriangleMesh readMesh(PackedReader& reader) {
   geometry::TriangleMesh mesh;
   mesh.vertices.resize(reader.count(sizeof(dvec3)));
   reader.take(mesh.vertices.data(), mesh.vertices.size() * sizeof(dvec3));
@@ -114,7 +43,7 @@ geometry::TriangleMesh readMesh(Reader& reader) {
   return mesh;
 }
 
-void writeNode(const SceneNode& node, Writer& writer) {
+void writeNode(const SceneNode& node, PackedWriter& writer) {
   writer.text(node.name);
   writer.text(node.instance);
   writer.number(std::int32_t{node.parent});
@@ -129,12 +58,12 @@ void writeNode(const SceneNode& node, Writer& writer) {
   writer.number(origin.metres_per_unit);
 }
 
-UpAxis readAxis(Reader& reader) {
+UpAxis readAxis(PackedReader& reader) {
   const auto axis = reader.number<std::uint8_t>();
   return reader.require(axis <= 2) ? static_cast<UpAxis>(axis) : UpAxis::kZ;
 }
 
-SceneNode readNode(Reader& reader, std::size_t index, std::size_t meshes) {
+SceneNode readNode(PackedReader& reader, std::size_t index, std::size_t meshes) {
   SceneNode node;
   node.name = reader.text();
   node.instance = reader.text();
@@ -162,7 +91,7 @@ SceneNode readNode(Reader& reader, std::size_t index, std::size_t meshes) {
 }  // namespace
 
 std::string sceneBytes(const ImportedScene& scene) {
-  Writer writer;
+  PackedWriter writer;
   writer.bytes = kMagic;
   writer.text(scene.format);
   writer.number(scene.metres_per_unit);
@@ -182,7 +111,7 @@ Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
   const Error unsound{.found = "the importer sent invalid data",
                       .fix = "Please report this bug, with the file that caused it."};
   if (!bytes.starts_with(kMagic)) return makeError(unsound);
-  Reader reader(bytes.substr(kMagic.size()));
+  PackedReader reader(bytes.substr(kMagic.size()));
   ImportedScene scene;
   scene.format = reader.text();
   scene.metres_per_unit = reader.number<double>();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sdf/sdf.hh>
 
 #include "geometry/system/text_case.h"
 #include "workcell/scenes/sdf_robot.h"
@@ -27,9 +26,9 @@ class CellReader {
   }
 
   Expected<ImportedScene> read() {
-    for (const sdf::Model* model : source_.models()) {
+    for (const SdfModel& model : source_.models()) {
       if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
-      addModel(*model, -1);
+      addModel(model, -1);
     }
     const std::vector<Text>& notes = shapes_.notes().warnings;
     scene_.warnings.insert(scene_.warnings.end(), notes.begin(), notes.end());
@@ -37,28 +36,28 @@ class CellReader {
   }
 
  private:
-  void addModel(const sdf::Model& model, int parent) {
+  void addModel(const SdfModel& model, int parent) {
     SceneNode node;
-    node.name = model.Name();
+    node.name = model.name;
     node.parent = parent;
-    node.X_PN = resolved(model.SemanticPose(), "", model.RawPose(), model.Name());
+    node.X_PN = resolved(model.X_P, model.name);
     if (hasMovingJoints(model) && addRobot(model, node)) return;
     const int index = add(std::move(node));
-    for (std::uint64_t k = 0; k < model.LinkCount(); ++k) {
-      if (model.LinkByIndex(k)->Name() != kNoLink) addLink(*model.LinkByIndex(k), model.LinkCount() > 1, index);
+    for (const SdfLink& link : model.links) {
+      if (link.name != kNoLink) addLink(link, model.links.size() > 1, index);
     }
-    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) addModel(*model.ModelByIndex(k), index);
+    for (const SdfModel& inside : model.models) addModel(inside, index);
   }
 
   /// False, told, where it is to be a solid body. `node` stands where the model does.
-  bool addRobot(const sdf::Model& model, const SceneNode& node) {
+  bool addRobot(const SdfModel& model, const SceneNode& node) {
     Diagnostics notes;
     auto robot = with_robots_ ? readSdfRobot(source_, model, file_, notes, monitor_) : Expected<SdfRobot>();
     if (!with_robots_ || !robot) {
       scene_.warnings.push_back(
           with_robots_
-              ? Text("'%1' has moving joints; it is read as a rigid body: %2", model.Name(), robot.error().text())
-              : Text("'%1' has moving joints; it is read as a rigid body", model.Name()));
+              ? Text("'%1' has moving joints; it is read as a rigid body: %2", model.name, robot.error().text())
+              : Text("'%1' has moving joints; it is read as a rigid body", model.name));
       return false;
     }
     scene_.warnings.insert(scene_.warnings.end(), notes.warnings.begin(), notes.warnings.end());
@@ -69,36 +68,29 @@ class CellReader {
     return true;
   }
 
-  void addLink(const sdf::Link& link, bool own_node, int model) {
-    const Pose X_ML = resolved(link.SemanticPose(), "__model__", link.RawPose(), link.Name());
+  void addLink(const SdfLink& link, bool own_node, int model) {
+    const Pose X_ML = resolved(link.X_ML, link.name);
     int parent = model;
     if (own_node) {
       SceneNode node;
-      node.name = link.Name();
+      node.name = link.name;
       node.parent = model;
       node.X_PN = X_ML;
       parent = add(std::move(node));
     }
     const Pose X_PL = own_node ? Pose() : X_ML;
-    for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
-      const sdf::Visual& visual = *link.VisualByIndex(k);
-      addShape(visual, link, X_PL, parent, colorOf(visual.Material()));
-    }
-    if (link.VisualCount() > 0) return;
-    for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
-      addShape(*link.CollisionByIndex(k), link, X_PL, parent, std::nullopt);
-    }
+    for (const SdfShape& visual : link.visuals) addShape(visual, X_PL, parent, colorOf(visual));
+    if (!link.visuals.empty()) return;
+    for (const SdfShape& collision : link.collisions) addShape(collision, X_PL, parent, std::nullopt);
   }
 
-  template <typename Shape>
-  void addShape(const Shape& shape, const sdf::Link& link, const Pose& X_PL, int parent,
-                const std::optional<std::array<float, 3>>& color) {
-    const auto mesh = shape.Geom() ? shapes_.meshOf(*shape.Geom(), shape.Name()) : nullptr;
+  void addShape(const SdfShape& shape, const Pose& X_PL, int parent, const std::optional<std::array<float, 3>>& color) {
+    const auto mesh = shapes_.meshOf(shape, shape.name);
     if (!mesh) return;
     SceneNode node;
-    node.name = shape.Name();
+    node.name = shape.name;
     node.parent = parent;
-    node.X_PN = X_PL * resolved(shape.SemanticPose(), link.Name(), shape.RawPose(), shape.Name());
+    node.X_PN = X_PL * resolved(shape.X_LS, shape.name);
     node.color = color;
     const auto [known, is_new] = meshes_.try_emplace(mesh.get(), static_cast<int>(scene_.meshes.size()));
     if (is_new) {
@@ -110,32 +102,21 @@ class CellReader {
   }
 
   /// A frame that is not there leaves a pose without meaning; it is then taken in the body above, and told.
-  Pose resolved(const sdf::SemanticPose& pose, const std::string& to, const ignition::math::Pose3d& raw,
-                const std::string& name) {
-    ignition::math::Pose3d X;
-    const sdf::Errors errors = pose.Resolve(X, to);
-    if (!errors.empty()) {
+  Pose resolved(const SdfPose& pose, const std::string& name) {
+    if (!pose.fault.empty()) {
       scene_.warnings.push_back(
           Text("'%1': the frame of its pose does not exist; the pose is read in the frame of its parent", name));
-      X = raw;
     }
-    const Pose result = toPose(X);
-    if (result.isValid()) return result;
+    if (pose.X.isValid()) return pose.X;
     scene_.warnings.push_back(Text("'%1': invalid pose; it is placed at its parent", name));
     return {};
   }
 
-  static std::optional<std::array<float, 3>> colorOf(const sdf::Material* material) {
-    const sdf::ElementPtr element = material ? material->Element() : nullptr;
-    if (!element) return std::nullopt;
-    const auto part = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
-    if (element->HasElement("diffuse")) {
-      const auto c = material->Diffuse();
-      return std::array<float, 3>{part(c.R()), part(c.G()), part(c.B())};
-    }
-    if (!element->HasElement("ambient")) return std::nullopt;
-    const auto c = material->Ambient();
-    return std::array<float, 3>{part(c.R()), part(c.G()), part(c.B())};
+  static std::optional<std::array<float, 3>> colorOf(const SdfShape& visual) {
+    auto color = visual.diffuse ? visual.diffuse : visual.ambient;
+    if (!color) return color;
+    for (float& part : *color) part = std::clamp(part, 0.0f, 1.0f);
+    return color;
   }
 
   int add(SceneNode node) {
@@ -164,7 +145,7 @@ bool isSdfCell(const fs::path& file) {
 }
 
 Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor, bool with_robots) {
-  const auto source = SdfSource::load(file);
+  const auto source = SdfSource::load(file, monitor);
   HAPTICELL_TRY(source);
   ImportOptions options = asGazeboDoes();
   options.weld = false;

@@ -6,8 +6,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <sdf/sdf.hh>
 
 #include "kinematics/closures/joint_graph.h"
 #include "workcell/scenes/sdf_robot.h"
@@ -36,12 +34,12 @@ struct SdfAxis {
 
 class SdfModelReader {
  public:
-  SdfModelReader(const SdfSource& source, const sdf::Model& model, const fs::path& file, Diagnostics& diagnostics,
+  SdfModelReader(const SdfSource& source, const SdfModel& model, const fs::path& file, Diagnostics& diagnostics,
                  ImportMonitor* monitor)
       : model_(model), file_(file), diagnostics_(diagnostics), shapes_(source, asGazeboDoes(), monitor) {}
 
   Expected<SdfRobot> read() {
-    graph_.name = model_.Name();
+    graph_.name = model_.name;
     HAPTICELL_TRY(addModel(model_, "", Pose()));
     if (graph_.links.empty())
       return makeError(
@@ -75,64 +73,56 @@ class SdfModelReader {
   }
 
   /// Links, then joints, of the model and of those inside it, whose names begin with `scope` ("load::").
-  Expected<void> addModel(const sdf::Model& model, const std::string& scope, const Pose& X_MN) {
-    for (std::uint64_t k = 0; k < model.LinkCount(); ++k) {
-      if (model.LinkByIndex(k)->Name() == kNoLink) continue;
-      if (auto added = addLink(*model.LinkByIndex(k), scope, X_MN); !added) return added;
+  Expected<void> addModel(const SdfModel& model, const std::string& scope, const Pose& X_MN) {
+    for (const SdfLink& link : model.links) {
+      if (link.name == kNoLink) continue;
+      if (auto added = addLink(link, scope, X_MN); !added) return added;
     }
-    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
-      const sdf::Model& inside = *model.ModelByIndex(k);
-      ignition::math::Pose3d X;
-      if (const auto errors = inside.SemanticPose().Resolve(X, "__model__"); !errors.empty())
-        return makeError(
-            refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a pose that can be resolved")));
-      if (auto added = addModel(inside, scope + inside.Name() + "::", X_MN * toPose(X)); !added) return added;
+    for (const SdfModel& inside : model.models) {
+      if (!inside.X_M.fault.empty())
+        return makeError(refusal(Text("model '%1'", inside.name), inside.X_M.fault, Text("a pose that can be resolved")));
+      if (auto added = addModel(inside, scope + inside.name + "::", X_MN * inside.X_M.X); !added) return added;
     }
-    for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
-      if (auto added = addJoint(*model.JointByIndex(k), scope, X_MN); !added) return added;
+    for (const SdfJoint& joint : model.joints) {
+      if (auto added = addJoint(joint, scope, X_MN); !added) return added;
     }
     return {};
   }
 
-  template <typename Shape>
-  void addShape(const sdf::Link& link, const Shape& shape, std::vector<LinkShape>& shapes, const LinkShape& look) {
-    const auto mesh = shape.Geom() ? shapes_.meshOf(*shape.Geom(), link.Name()) : nullptr;
+  void addShape(const SdfLink& link, const SdfShape& shape, std::vector<LinkShape>& shapes, const LinkShape& look) {
+    const auto mesh = shapes_.meshOf(shape, link.name);
     if (!mesh) return;
-    ignition::math::Pose3d pose;
-    if (const auto errors = shape.SemanticPose().Resolve(pose, link.Name()); !errors.empty()) {
+    if (!shape.X_LS.fault.empty()) {
       diagnostics_.warn(Text("%1: link '%2': a shape is left out, because its placement is unknown: %3", file_.string(),
-                             link.Name(), firstOf(errors)));
+                             link.name, shape.X_LS.fault));
       return;
     }
     LinkShape made = look;
     made.mesh = mesh;
-    made.X_LS = toPose(pose);
-    made.source = shape.Geom()->MeshShape() ? "mesh" : "shape";
+    made.X_LS = shape.X_LS.X;
+    made.source = shape.kind == SdfShape::Kind::kMesh ? "mesh" : "shape";
     shapes.push_back(std::move(made));
   }
 
-  Expected<void> addLink(const sdf::Link& source, const std::string& scope, const Pose& X_MN) {
+  Expected<void> addLink(const SdfLink& source, const std::string& scope, const Pose& X_MN) {
     kinematics::GraphLink link;
-    link.link.name = scope + source.Name();
-    ignition::math::Pose3d pose;
-    if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a pose that can be resolved")));
-    link.X_ML = X_MN * toPose(pose);
+    link.link.name = scope + source.name;
+    if (!source.X_ML.fault.empty())
+      return makeError(
+          refusal(Text("link '%1'", source.name), source.X_ML.fault, Text("a pose that can be resolved")));
+    link.X_ML = X_MN * source.X_ML.X;
     if (!link.X_ML.isValid())
-      return makeError(refusal(Text("link '%1'", source.Name()), Text("an invalid pose"), Text("finite numbers")));
+      return makeError(refusal(Text("link '%1'", source.name), Text("an invalid pose"), Text("finite numbers")));
     LinkShape look;
-    for (std::uint64_t k = 0; k < source.VisualCount(); ++k) {
-      const sdf::Visual& visual = *source.VisualByIndex(k);
+    for (const SdfShape& visual : source.visuals) {
       look.color = {0.7f, 0.7f, 0.7f, 1.0f};
-      if (const sdf::Material* material = visual.Material()) {
-        const auto c = material->Diffuse();
-        if (c.R() > 0.0f || c.G() > 0.0f || c.B() > 0.0f) look.color = {c.R(), c.G(), c.B(), 1.0f};
+      if (visual.diffuse) {
+        const auto [r, g, b] = *visual.diffuse;
+        if (r > 0.0f || g > 0.0f || b > 0.0f) look.color = {r, g, b, 1.0f};
       }
       addShape(source, visual, link.link.visuals, look);
     }
-    for (std::uint64_t k = 0; k < source.CollisionCount(); ++k) {
-      addShape(source, *source.CollisionByIndex(k), link.link.collisions, look);
-    }
+    for (const SdfShape& collision : source.collisions) addShape(source, collision, link.link.collisions, look);
     if (link.link.collisions.empty()) link.link.collisions = link.link.visuals;
     graph_.links.push_back(std::move(link));
     return {};
@@ -143,22 +133,20 @@ class SdfModelReader {
     if (const int known = linkNamed("world"); known >= 0) return known;
     kinematics::GraphLink world;
     world.link.name = "world";
-    ignition::math::Pose3d X_WM;
-    if (model_.SemanticPose().Resolve(X_WM).empty() && toPose(X_WM).isValid()) world.X_ML = toPose(X_WM).inverse();
+    if (model_.X_P.fault.empty() && model_.X_P.X.isValid()) world.X_ML = model_.X_P.X.inverse();
     graph_.links.push_back(std::move(world));
     world_link_ = "world";
     return static_cast<int>(graph_.links.size()) - 1;
   }
 
-  Expected<void> addJoint(const sdf::Joint& source, const std::string& scope, const Pose& X_MN) {
-    const Text place("joint '%1'", scope + source.Name());
-    std::string parent, child;
-    if (const auto errors = source.ResolveParentLink(parent); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), Text("the name of a link")));
-    if (const auto errors = source.ResolveChildLink(child); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), Text("the name of a link")));
+  Expected<void> addJoint(const SdfJoint& source, const std::string& scope, const Pose& X_MN) {
+    const Text place("joint '%1'", scope + source.name);
+    for (const std::string& fault : {source.parent_fault, source.child_fault}) {
+      if (!fault.empty()) return makeError(refusal(place, fault, Text("the name of a link")));
+    }
+    const std::string &parent = source.parent, &child = source.child;
     const bool to_world = parent == "world" || child == "world";
-    if (to_world && source.Type() == sdf::JointType::FIXED) {
+    if (to_world && source.type == SdfJoint::Type::kFixed) {
       if (world_link_.empty()) world_link_ = scope + (parent == "world" ? child : parent);
       if (linkNamed("world") < 0) return {};
     }
@@ -166,46 +154,40 @@ class SdfModelReader {
       return name == "world" ? worldLink() : linkNamed(scope + name);
     };
     GraphJoint joint;
-    joint.joint.name = scope + source.Name();
+    joint.joint.name = scope + source.name;
     joint.joint.parent_link = number(parent);
     joint.joint.child_link = number(child);
     if (joint.joint.parent_link < 0 || joint.joint.child_link < 0)
       return makeError(refusal(place,
                                Text("its link '%1' is not in the model", joint.joint.parent_link < 0 ? parent : child),
                                Text("a link of the model")));
-    ignition::math::Pose3d pose;
-    if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), Text("a pose that can be resolved")));
-    joint.X_MJ = Pose::translation((X_MN * toPose(pose)).p);  // Axes are asked for in the model's frame.
+    if (!source.X_MJ.fault.empty())
+      return makeError(refusal(place, source.X_MJ.fault, Text("a pose that can be resolved")));
+    joint.X_MJ = Pose::translation((X_MN * source.X_MJ.X).p);  // Axes are asked for in the model's frame.
     return addTyped(source, joint, scope, X_MN, place);
   }
 
-  Expected<std::vector<SdfAxis>> axesOf(const sdf::Joint& source, const std::string& scope, const Pose& X_MN,
+  Expected<std::vector<SdfAxis>> axesOf(const SdfJoint& source, const std::string& scope, const Pose& X_MN,
                                         const Text& place) {
     std::vector<SdfAxis> axes;
-    for (unsigned k = 0; k < 2; ++k) {
-      const sdf::JointAxis* axis = source.Axis(k);
-      if (!axis) continue;
-      ignition::math::Vector3d xyz;
-      if (const auto errors = axis->ResolveXyz(xyz, "__model__"); !errors.empty())
-        return makeError(refusal(place, firstOf(errors), Text("an axis")));
-      const sdf::ElementPtr own = axis->Element();  // The library takes z where it complains.
-      if (own && own->HasElement("xyz") && own->Get<ignition::math::Vector3d>("xyz").Length() < 1e-9) xyz = {0, 0, 0};
-      const dvec3 direction(xyz.X(), xyz.Y(), xyz.Z());
-      if (!(glm::length(direction) > 1e-9))
+    for (unsigned k = 0; k < source.axes.size(); ++k) {
+      if (!source.axes[k]) continue;
+      const SdfJointAxis& axis = *source.axes[k];
+      if (!axis.fault.empty()) return makeError(refusal(place, axis.fault, Text("an axis")));
+      if (!(glm::length(axis.xyz_M) > 1e-9))
         return makeError(refusal(place, Text("an axis of length zero"), Text("a direction")));
       SdfAxis made;
-      made.axis_M = X_MN.rotate(glm::normalize(direction));
-      made.lower = axis->Lower() < -kNoLimit ? -kInfinity : axis->Lower();
-      made.upper = axis->Upper() > kNoLimit ? kInfinity : axis->Upper();
-      made.velocity = axis->MaxVelocity() > 0.0 && axis->MaxVelocity() < kNoLimit ? axis->MaxVelocity() : 0.0;
+      made.axis_M = X_MN.rotate(glm::normalize(axis.xyz_M));
+      made.lower = axis.lower < -kNoLimit ? -kInfinity : axis.lower;
+      made.upper = axis.upper > kNoLimit ? kInfinity : axis.upper;
+      made.velocity = axis.velocity > 0.0 && axis.velocity < kNoLimit ? axis.velocity : 0.0;
       if (std::isnan(made.lower) || made.lower > made.upper)
         return makeError(refusal(place,
                                  Text("its lower limit %1 is above its upper limit %2", std::to_string(made.lower),
                                       std::to_string(made.upper)),
                                  "lower <= upper"));
       axes.push_back(made);
-      noteMimic(*axis, scope, scope + source.Name(), k);
+      noteMimic(axis, scope, scope + source.name, k);
     }
     return axes;
   }
@@ -227,7 +209,7 @@ class SdfModelReader {
     }
   }
 
-  Expected<void> addTyped(const sdf::Joint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
+  Expected<void> addTyped(const SdfJoint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
                           const Text& place) {
     auto read = axesOf(source, scope, X_MN, place);
     HAPTICELL_TRY(read);
@@ -238,40 +220,40 @@ class SdfModelReader {
       addAxes(joint, axes, slides);
       return {};
     };
-    switch (source.Type()) {
-      case sdf::JointType::FIXED:
+    switch (source.type) {
+      case SdfJoint::Type::kFixed:
         joint.joint.type = JointType::kFixed;
         graph_.joints.push_back(joint);
         return {};
-      case sdf::JointType::CONTINUOUS:
+      case SdfJoint::Type::kContinuous:
         for (SdfAxis& axis : axes) {  // Which goes round for ever whatever limits stand there.
           axis.lower = -kInfinity;
           axis.upper = kInfinity;
         }
         return take(1, false);
-      case sdf::JointType::REVOLUTE:
+      case SdfJoint::Type::kRevolute:
         return take(1, false);
-      case sdf::JointType::PRISMATIC:
+      case SdfJoint::Type::kPrismatic:
         return take(1, true);
-      case sdf::JointType::UNIVERSAL:
-      case sdf::JointType::REVOLUTE2:
+      case SdfJoint::Type::kUniversal:
+      case SdfJoint::Type::kRevolute2:
         return take(2, false);
-      case sdf::JointType::BALL:
+      case SdfJoint::Type::kBall:
         addAxes(joint, {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, false);
         return {};
-      case sdf::JointType::SCREW:
+      case SdfJoint::Type::kScrew:
         return addScrew(source, joint, axes, place);
-      case sdf::JointType::GEARBOX:
+      case SdfJoint::Type::kGearbox:
         diagnostics_.warn(Text("%1: %2 is a gearbox; it is left out", file_.string(), place));
         return {};
-      case sdf::JointType::INVALID:
+      case SdfJoint::Type::kInvalid:
         break;
     }
     return makeError(refusal(place, Text("an unknown joint type"),
                              Text("revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball")));
   }
 
-  Expected<void> addScrew(const sdf::Joint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
+  Expected<void> addScrew(const SdfJoint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
                           const Text& place) {
     if (axes.empty()) return makeError(refusal(place, Text("the axis is missing"), Text("<axis> with <xyz>")));
     joint.joint.axis_J = axes[0].axis_M;
@@ -280,33 +262,20 @@ class SdfModelReader {
     joint.joint.velocity = axes[0].velocity;
     const bool endless = std::isinf(joint.joint.lower) && std::isinf(joint.joint.upper);
     joint.joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
-    const sdf::ElementPtr element = source.Element();
-    const sdf::ElementPtr metres = element ? element->FindElement("screw_thread_pitch") : nullptr;
-    const double pitch =
-        metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
-               : -2.0 * std::numbers::pi / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
-    if (!(std::abs(pitch) > 1e-12 && std::abs(pitch) < 1e9))
+    if (!(std::abs(source.pitch) > 1e-12 && std::abs(source.pitch) < 1e9))
       return makeError(refusal(place, Text("a screw joint without pitch"), "<thread_pitch>"));
-    kinematics::addScrewJoint(graph_, joint, pitch);
+    kinematics::addScrewJoint(graph_, joint, source.pitch);
     return {};
   }
 
   /// SDF 1.11: position = multiplier (position of the other - reference) + offset.
-  void noteMimic(const sdf::JointAxis& axis, const std::string& scope, const std::string& joint, unsigned number) {
-    const sdf::ElementPtr own = axis.Element();
-    const sdf::ElementPtr mimic = own ? own->FindElement("mimic") : nullptr;
-    if (!mimic) return;
-    const auto number_in = [&](const char* name, double otherwise) {
-      const sdf::ElementPtr element = mimic->FindElement(name);
-      return element ? std::strtod(element->Get<std::string>().c_str(), nullptr) : otherwise;
-    };
+  void noteMimic(const SdfJointAxis& axis, const std::string& scope, const std::string& joint, unsigned number) {
+    if (!axis.mimic) return;
     MimicOf made;
     made.follower = {joint, number};
-    made.leader.first = scope + (mimic->GetAttribute("joint") ? mimic->GetAttribute("joint")->GetAsString() : "");
-    const auto leading = mimic->GetAttribute("axis");
-    made.leader.second = leading && leading->GetAsString() == "axis2" ? 1 : 0;
-    made.multiplier = number_in("multiplier", 1.0);
-    made.offset = number_in("offset", 0.0) - made.multiplier * number_in("reference", 0.0);
+    made.leader = {scope + axis.mimic->joint, axis.mimic->second_axis ? 1u : 0u};
+    made.multiplier = axis.mimic->multiplier;
+    made.offset = axis.mimic->offset - made.multiplier * axis.mimic->reference;
     mimics_.push_back(made);
   }
 
@@ -399,7 +368,7 @@ class SdfModelReader {
     double multiplier = 1.0, offset = 0.0;
   };
 
-  const sdf::Model& model_;
+  const SdfModel& model_;
   const fs::path& file_;
   Diagnostics& diagnostics_;
   SdfShapes shapes_;
@@ -408,45 +377,37 @@ class SdfModelReader {
   std::vector<MimicOf> mimics_;
 };
 
-bool movesInside(const sdf::Model& model) {
-  if (hasMovingJoints(model)) return true;
-  for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
-    if (movesInside(*model.ModelByIndex(k))) return true;
-  }
-  return false;
+bool movesInside(const SdfModel& model) {
+  return hasMovingJoints(model) || std::any_of(model.models.begin(), model.models.end(), movesInside);
 }
 
 }  // namespace
 
-bool hasMovingJoints(const sdf::Model& model) {
-  for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
-    if (model.JointByIndex(k)->Type() != sdf::JointType::FIXED) return true;
-  }
-  return false;
+bool hasMovingJoints(const SdfModel& model) {
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [](const SdfJoint& joint) { return joint.type != SdfJoint::Type::kFixed; });
 }
 
-Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const fs::path& file,
+Expected<SdfRobot> readSdfRobot(const SdfSource& source, const SdfModel& model, const fs::path& file,
                                 Diagnostics& diagnostics, ImportMonitor* monitor) {
   return SdfModelReader(source, model, file, diagnostics, monitor).read();
 }
 
 Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
-  const auto source = SdfSource::load(file);
+  const auto source = SdfSource::load(file, monitor);
   HAPTICELL_TRY(source);
-  const std::vector<const sdf::Model*> models = source->models();
+  const std::vector<SdfModel>& models = source->models();
   if (models.empty())
     return makeError({.file = file.string(), .found = "the file has no model", .expected = "<model name=\"…\">"});
   for (const Text& warning : source->warnings()) diagnostics.warn(Text("%1: %2", file.string(), warning));
-  const auto moving = std::find_if(models.begin(), models.end(), [](const sdf::Model* m) { return movesInside(*m); });
-  const sdf::Model* const model = moving == models.end() ? models.front() : *moving;
+  const auto moving = std::find_if(models.begin(), models.end(), movesInside);
+  const SdfModel& model = moving == models.end() ? models.front() : *moving;
   if (models.size() > 1) {
     diagnostics.warn(Text("%1: of %2 models, only '%3' is read, because it has moving joints", file.string(),
-                          models.size(), model->Name()));
+                          models.size(), model.name));
   }
-  Expected<SdfRobot> robot = readSdfRobot(*source, *model, file, diagnostics, monitor);
-  ignition::math::Pose3d X_FM;
-  if (robot && model->SemanticPose().Resolve(X_FM).empty() && toPose(X_FM).isValid())
-    robot->X_FB = toPose(X_FM) * robot->X_FB;
+  Expected<SdfRobot> robot = readSdfRobot(*source, model, file, diagnostics, monitor);
+  if (robot && model.X_P.fault.empty() && model.X_P.X.isValid()) robot->X_FB = model.X_P.X * robot->X_FB;
   return robot;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <sdf/Model.hh>
 
 #include "workcell/scenes/sdf_reader.h"
 #include "workcell/scenes/sdf_source.h"
@@ -10,10 +9,10 @@
 namespace hapticell::workcell {
 
 /// True where the model has a joint that moves, not counting those of models inside it.
-bool hasMovingJoints(const sdf::Model& model);
+bool hasMovingJoints(const SdfModel& model);
 
 /// One model of `source` as a robot, as readSdf() does; X_FB is its root in the model's frame.
-Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const std::filesystem::path& file,
+Expected<SdfRobot> readSdfRobot(const SdfSource& source, const SdfModel& model, const std::filesystem::path& file,
                                 Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

@@ -3,11 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <sdf/Box.hh>
-#include <sdf/Capsule.hh>
-#include <sdf/Cylinder.hh>
-#include <sdf/Ellipsoid.hh>
-#include <sdf/Sphere.hh>
 
 #include "geometry/shapes/shapes.h"
 #include "workcell/meshes/mesh_reader.h"
@@ -19,10 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-dvec3 toVector(const ignition::math::Vector3d& v) {
-  return {v.X(), v.Y(), v.Z()};
-}
-
 void scaleOutward(geometry::TriangleMesh& mesh, const dvec3& scale) {
   for (dvec3& vertex : mesh.vertices) vertex *= scale;
   if (scale.x * scale.y * scale.z > 0.0) return;
@@ -30,17 +21,25 @@ void scaleOutward(geometry::TriangleMesh& mesh, const dvec3& scale) {
 }
 
 /// The shapes that need no file; empty for all others.
-geometry::TriangleMesh plainShape(const sdf::Geometry& geometry) {
-  if (const auto* box = geometry.BoxShape()) return geometry::makeBox(toVector(box->Size()));
-  if (const auto* cylinder = geometry.CylinderShape()) {
-    return geometry::makeCylinder(cylinder->Radius(), cylinder->Length());
-  }
-  if (const auto* sphere = geometry.SphereShape()) return geometry::makeSphere(sphere->Radius());
-  if (const auto* capsule = geometry.CapsuleShape()) return geometry::makeCapsule(capsule->Radius(), capsule->Length());
-  if (const auto* ellipsoid = geometry.EllipsoidShape()) {
-    geometry::TriangleMesh mesh = geometry::makeSphere(1.0);
-    scaleOutward(mesh, toVector(ellipsoid->Radii()));
-    return mesh;
+geometry::TriangleMesh plainShape(const SdfShape& shape) {
+  const dvec3& size = shape.size;
+  switch (shape.kind) {
+    case SdfShape::Kind::kBox:
+      return geometry::makeBox(size);
+    case SdfShape::Kind::kCylinder:
+      return geometry::makeCylinder(size.x, size.y);
+    case SdfShape::Kind::kSphere:
+      return geometry::makeSphere(size.x);
+    case SdfShape::Kind::kCapsule:
+      return geometry::makeCapsule(size.x, size.y);
+    case SdfShape::Kind::kEllipsoid: {
+      geometry::TriangleMesh mesh = geometry::makeSphere(1.0);
+      scaleOutward(mesh, size);
+      return mesh;
+    }
+    case SdfShape::Kind::kNone:
+    case SdfShape::Kind::kMesh:
+      break;
   }
   return {};
 }
@@ -77,39 +76,39 @@ SdfShapes::SdfShapes(const SdfSource& source, const ImportOptions& options, Impo
   scenes_.readAhead(files);
 }
 
-Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, const sdf::Mesh& mesh) {
+Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, const SdfShape& mesh) {
   ImportOptions options = scenes_.options();
   const bool scene = holdsScene(file);
   if (!scene) options.metres_per_unit = 1.0;  // Gazebo reads no unit out of a mesh file.
-  if (mesh.Submesh().empty()) return readWholeMesh(file, options, notes_, &scenes_);
+  if (mesh.submesh.empty()) return readWholeMesh(file, options, notes_, &scenes_);
   geometry::TriangleMesh part;
   if (scene) {
     const auto read = scenes_.scene(file);
     HAPTICELL_TRY(read);
-    part = partOf(*read, mesh.Submesh());
+    part = partOf(*read, mesh.submesh);
   } else {
     auto parts = readMeshParts(file, {options.metres_per_unit, options.weld, false}, true, notes_);
     HAPTICELL_TRY(parts);
-    part = partOf(sceneOfParts(std::move(*parts), file.stem().string()), mesh.Submesh());
+    part = partOf(sceneOfParts(std::move(*parts), file.stem().string()), mesh.submesh);
   }
   if (part.triangles.empty()) {
     return makeError({.file = file.string(),
-                      .found = Text("it has no part '%1'", mesh.Submesh()),
+                      .found = Text("it has no part '%1'", mesh.submesh),
                       .expected = "the part that <submesh> names"});
   }
-  if (mesh.CenterSubmesh()) {
+  if (mesh.center_submesh) {
     const dvec3 middle = part.bounds().center();
     for (dvec3& vertex : part.vertices) vertex -= middle;
   }
   return part;
 }
 
-SdfShapes::MeshPointer SdfShapes::meshOfFile(const sdf::Mesh& mesh, const std::string& owner) {
+SdfShapes::MeshPointer SdfShapes::meshOfFile(const SdfShape& mesh, const std::string& owner) {
   const SdfMeshFile& file = source_.meshFile(mesh);
-  const dvec3 scale = toVector(mesh.Scale());
+  const dvec3 scale = mesh.size;
   char size[100];
-  std::snprintf(size, sizeof size, "|%.17g %.17g %.17g|%d|", scale.x, scale.y, scale.z, mesh.CenterSubmesh());
-  const auto [known, is_new] = known_.try_emplace(file.file.string() + size + mesh.Submesh());
+  std::snprintf(size, sizeof size, "|%.17g %.17g %.17g|%d|", scale.x, scale.y, scale.z, mesh.center_submesh);
+  const auto [known, is_new] = known_.try_emplace(file.file.string() + size + mesh.submesh);
   if (!is_new) return known->second;
   auto read = wholeOrPart(file.file, mesh);
   if (monitor_) monitor_->report(Text("reading meshes"), 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(known_.size())));
@@ -121,9 +120,9 @@ SdfShapes::MeshPointer SdfShapes::meshOfFile(const sdf::Mesh& mesh, const std::s
   return known->second = std::make_shared<const geometry::TriangleMesh>(std::move(*read));
 }
 
-SdfShapes::MeshPointer SdfShapes::meshOf(const sdf::Geometry& geometry, const std::string& owner) {
-  if (const auto* mesh = geometry.MeshShape()) return meshOfFile(*mesh, owner);
-  geometry::TriangleMesh mesh = plainShape(geometry);
+SdfShapes::MeshPointer SdfShapes::meshOf(const SdfShape& shape, const std::string& owner) {
+  if (shape.kind == SdfShape::Kind::kMesh) return meshOfFile(shape, owner);
+  geometry::TriangleMesh mesh = plainShape(shape);
   return mesh.triangles.empty() ? nullptr : std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
 }
 

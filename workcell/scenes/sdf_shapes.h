@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <sdf/Geometry.hh>
 #include <string>
 
 #include "geometry/shapes/triangle_mesh.h"
@@ -23,7 +22,7 @@ class SdfShapes {
 
   /// The shape's mesh in its own frame, metres; null if it is left out, which is then reported. A mesh that is mirrored
   /// by its scale keeps its outside; of a <submesh> only that part is taken, by its name.
-  std::shared_ptr<const geometry::TriangleMesh> meshOf(const sdf::Geometry& geometry, const std::string& owner);
+  std::shared_ptr<const geometry::TriangleMesh> meshOf(const SdfShape& shape, const std::string& owner);
 
   bool isCancelled() const { return scenes_.isCancelled(); }
   /// What was left out or assumed, reported once.
@@ -38,8 +37,8 @@ class SdfShapes {
   std::map<std::string, MeshPointer> known_;
   Diagnostics notes_;
 
-  MeshPointer meshOfFile(const sdf::Mesh& mesh, const std::string& owner);
-  Expected<geometry::TriangleMesh> wholeOrPart(const std::filesystem::path& file, const sdf::Mesh& mesh);
+  MeshPointer meshOfFile(const SdfShape& mesh, const std::string& owner);
+  Expected<geometry::TriangleMesh> wholeOrPart(const std::filesystem::path& file, const SdfShape& mesh);
 };
 
 }  // namespace hapticell::workcell

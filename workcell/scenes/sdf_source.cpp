@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <mutex>
 #include <optional>
-#include <sdf/sdf.hh>
 
 #include "geometry/system/scratch_folder.h"
+#include "workcell/scenes/import_process.h"
+#include "workcell/scenes/sdf_exchange.h"
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_tidier.h"
 #include "workcell/scenes/sdf_xml.h"
@@ -19,25 +19,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What follows from another complaint, and is said in terms of the library's inside.
-bool isConsequence(const sdf::Error& error) {
-  return error.Code() == sdf::ErrorCode::FRAME_ATTACHED_TO_GRAPH_ERROR ||
-         error.Code() == sdf::ErrorCode::POSE_RELATIVE_TO_GRAPH_ERROR ||
-         error.Message().find("Failed to load a world") != std::string::npos;
-}
-
-void reportComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
+void reportComplaints(const std::vector<std::string>& told, std::vector<Text>& warnings) {
   // Messages of sdformat that are shown; the rest is counted. Half, twice: shorter or longer lists.
   constexpr std::size_t kMost = 8;
-  std::vector<std::string> told;
-  for (const sdf::Error& error : errors) {
-    const std::string words = firstOf({error});
-    if (isConsequence(error) || std::find(told.begin(), told.end(), words) != told.end()) continue;
-    told.push_back(words);
-  }
-  if (told.empty() && !errors.empty()) told.push_back(firstOf(errors));
   for (std::size_t k = 0; k < std::min(told.size(), kMost); ++k) warnings.emplace_back("sdformat: " + told[k]);
   if (told.size() > kMost) warnings.push_back(Text("sdformat: %1 more messages", told.size() - kMost));
+}
+
+/// What the library makes of a tidied text.
+Expected<SdfContent> resolved(const std::string& text, const fs::path& file, ImportMonitor* monitor) {
+  ImporterCall call;
+  call.file = file.string();
+  call.arguments = {"resolve-sdf", fs::absolute(file).string()};
+  call.scene = text;
+  call.monitor = monitor;
+  const Expected<std::string> bytes = callImporter(call);
+  HAPTICELL_TRY(bytes);
+  auto content = sdfFromBytes(*bytes);
+  if (content) return content;
+  Error error = content.error();
+  error.file = file.string();
+  return makeError(std::move(error));
 }
 
 bool isSolid(const TiXmlElement& link) {
@@ -113,17 +115,6 @@ class Outliner {
 
 }  // namespace
 
-Pose toPose(const ignition::math::Pose3d& X) {
-  return {{X.Pos().X(), X.Pos().Y(), X.Pos().Z()},
-          glm::normalize(dquat(X.Rot().W(), X.Rot().X(), X.Rot().Y(), X.Rot().Z()))};
-}
-
-std::string firstOf(const sdf::Errors& errors) {
-  std::string text = errors.front().Message();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text.substr(0, 400);
-}
-
 std::optional<SdfOutline> outlineOf(const fs::path& file) {
   TiXmlDocument document;
   const auto root = parseSdf(file, document);
@@ -141,10 +132,7 @@ std::optional<SdfOutline> outlineOf(const fs::path& file) {
   return outline;
 }
 
-Expected<SdfSource> SdfSource::load(const fs::path& file) {
-  static std::mutex mutex;  // The library's console and its description of the format are one for the process.
-  const std::lock_guard lock(mutex);
-  sdf::Console::Instance()->SetQuiet(true);
+Expected<SdfSource> SdfSource::load(const fs::path& file, ImportMonitor* monitor) {
   // Where the copies of models that are taken in stand while the library reads them.
   const auto folder = ScratchFolder::make();
   if (!folder) {
@@ -155,43 +143,25 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   SdfTidier tidier(folder->path());
   const Expected<std::string> text = tidier.tidy(file);
   HAPTICELL_TRY(text);
+  Expected<SdfContent> content = resolved(*text, file, monitor);
+  HAPTICELL_TRY(content);
   SdfSource source;
-  source.root_ = std::make_shared<sdf::Root>();
+  source.content_ = std::move(*content);
   source.warnings_ = tidier.warnings();
   source.meshes_ = std::move(tidier.meshes());
-  sdf::Errors errors;
-  try {
-    errors = source.root_->LoadSdfString(*text);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {
-    return makeError({.file = file.string(),
-                      .found = "content that makes the SDF library crash",
-                      .expected = "SDF",
-                      .fix = "Check it with another program (gz sdf --check), or export it again."});
-  }
   if (source.models().empty()) {
-    if (!errors.empty()) return makeError({.file = file.string(), .found = firstOf(errors), .expected = "valid SDF"});
-    if (!source.world())
+    if (const std::string& first = source.content_.first_complaint; !first.empty())
+      return makeError({.file = file.string(), .found = first, .expected = "valid SDF"});
+    if (!source.content_.has_world)
       return makeError({.file = file.string(), .found = "the file has no model", .expected = "<model name=\"…\">"});
   }
-  reportComplaints(errors, source.warnings_);
+  reportComplaints(source.content_.complaints, source.warnings_);
   return source;
 }
 
-std::vector<const sdf::Model*> SdfSource::models() const {
-  std::vector<const sdf::Model*> all;
-  if (world()) {
-    for (std::uint64_t k = 0; k < world()->ModelCount(); ++k) all.push_back(world()->ModelByIndex(k));
-  } else if (root_->Model()) {
-    all.push_back(root_->Model());
-  }
-  return all;
-}
-
-const SdfMeshFile& SdfSource::meshFile(const sdf::Mesh& mesh) const {
+const SdfMeshFile& SdfSource::meshFile(const SdfShape& mesh) const {
   static const SdfMeshFile kNone;
-  const auto number = static_cast<std::size_t>(std::strtoul(mesh.Uri().c_str(), nullptr, 10));
+  const auto number = static_cast<std::size_t>(std::strtoul(mesh.uri.c_str(), nullptr, 10));
   return number < meshes_.size() ? meshes_[number] : kNone;
 }
 

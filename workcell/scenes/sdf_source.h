@@ -2,15 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <sdf/Mesh.hh>
-#include <sdf/Root.hh>
 #include <string>
 #include <vector>
 
-#include "geometry/shapes/pose.h"
 #include "geometry/system/error.h"
+#include "workcell/scenes/import_monitor.h"
+#include "workcell/scenes/sdf_content.h"
 
 namespace hapticell::workcell {
 
@@ -20,7 +18,8 @@ struct SdfMeshFile {
   std::filesystem::path file;  ///< Where it was found.
 };
 
-/// An SDF file with all models that it takes in, as libsdformat understands it: its frames define all poses.
+/// An SDF file with all models that it takes in, as libsdformat understands it: its frames define all poses. The library
+/// is in the importer's process, which is started for each file.
 ///
 /// Before the library sees the text it is tidied, since the library refuses a whole file for one bad word in what plays
 /// no part here: what has no effect on place, shape or motion is taken out (ContentReport), names that are there twice
@@ -29,24 +28,20 @@ struct SdfMeshFile {
 /// top, or an <include> there.
 class SdfSource {
  public:
-  /// Errors: no XML, nested deeper than 200, not SDF, no model in it, a version that the library does not know. The
-  /// library's console is quiet from then on. Any thread.
-  static Expected<SdfSource> load(const std::filesystem::path& file);
+  /// Errors: no XML, nested deeper than 200, not SDF, no model in it, a version that the library does not know, those of
+  /// callImporter(). `monitor` may be null; a cancelled one ends it. Any thread.
+  static Expected<SdfSource> load(const std::filesystem::path& file, ImportMonitor* monitor);
 
-  /// Models are in the (first) world, or there is one model without a world.
-  const sdf::Root& root() const { return *root_; }
-  /// Null where the file has no world.
-  const sdf::World* world() const { return root_->WorldCount() > 0 ? root_->WorldByIndex(0) : nullptr; }
-  /// All models at the top.
-  std::vector<const sdf::Model*> models() const;
-  /// The file behind a mesh of root().
-  const SdfMeshFile& meshFile(const sdf::Mesh& mesh) const;
+  /// All models at the top: those of the (first) world, or one without a world.
+  const std::vector<SdfModel>& models() const { return content_.models; }
+  /// The file behind a mesh of models().
+  const SdfMeshFile& meshFile(const SdfShape& mesh) const;
   const std::vector<SdfMeshFile>& meshFiles() const { return meshes_; }
   /// Sentences without the file's name.
   const std::vector<Text>& warnings() const { return warnings_; }
 
  private:
-  std::shared_ptr<sdf::Root> root_;
+  SdfContent content_;
   std::vector<SdfMeshFile> meshes_;
   std::vector<Text> warnings_;
 };
@@ -61,11 +56,5 @@ struct SdfOutline {
 
 /// Nothing where the file is no SDF. Models that are taken in are looked into.
 std::optional<SdfOutline> outlineOf(const std::filesystem::path& file);
-
-/// X_AB as the library has it.
-Pose toPose(const ignition::math::Pose3d& X_AB);
-
-/// The library's own words in one line of at most 400 bytes.
-std::string firstOf(const sdf::Errors& errors);
 
 }  // namespace hapticell::workcell

@@ -6,6 +6,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <clocale>
+#include <cstring>
+#include <limits>
 #include <utility>
 
 #include "geometry/shapes/mass_properties.h"
@@ -14,6 +16,7 @@
 #include "tests/workcell/meshes/mesh_text.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_formats.h"
+#include "workcell/meshes/mesh_writer.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -375,6 +378,52 @@ RC_GTEST_PROP(MeshReader, SurvivesDamagedFiles, ()) {
     content.insert(*rc::gen::inRange<std::size_t>(0, content.size() + 1), *rc::gen::string<std::string>());
   }
   checkOutcome(content, name);
+}
+
+/// A soup, each corner by itself, as an STL file has it.
+geometry::TriangleMesh soupOf(const geometry::TriangleMesh& mesh) {
+  geometry::TriangleMesh soup;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const dvec3& p : mesh.corners(t)) soup.vertices.push_back(dvec3(glm::vec3(p)));
+    soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return soup;
+}
+
+TEST(StlReader, CornersAtOnePlaceAreOneVertexAndCountAsMerged) {
+  // Enough triangles for several threads, and a few.
+  for (const int segments : {16, 500}) {
+    geometry::TriangleMesh wanted = soupOf(geometry::makeSphere(1.0, segments));
+    const std::size_t corners = wanted.vertices.size();
+    const std::string bytes = stlBytes(std::vector<NamedMesh>{{"a", wanted}}, 1.0);
+    Diagnostics notes;
+    MeshReadOptions options;
+    options.warn_about_unit = false;
+    const auto welded = parseMeshFile(bytes, "a.stl", options, notes);
+    options.weld = false;
+    const auto raw = parseMeshFile(bytes, "a.stl", options, notes);
+    ASSERT_TRUE(welded && raw);
+    for (std::uint32_t t = 0; t < wanted.triangles.size(); ++t) ASSERT_EQ(raw->mesh.corners(t), wanted.corners(t));
+    EXPECT_LT(raw->mesh.vertices.size(), corners / 5);
+    const geometry::WeldReport report = geometry::weld(wanted, geometry::weldTolerance(wanted));
+    EXPECT_EQ(welded->weld.merged_vertices, report.merged_vertices);
+    EXPECT_EQ(welded->weld.degenerate_triangles, report.degenerate_triangles);
+    EXPECT_EQ(welded->mesh.vertices, wanted.vertices);
+    EXPECT_EQ(welded->mesh.triangles, wanted.triangles);
+  }
+}
+
+TEST(StlReader, TheFirstUnusableCoordinateIsNamedWhateverThreadReadsIt) {
+  const geometry::TriangleMesh sphere = geometry::makeSphere(1.0, 500);
+  std::string bytes = stlBytes(std::vector<NamedMesh>{{"a", sphere}}, 1.0);
+  const float broken = std::numeric_limits<float>::quiet_NaN();
+  for (const std::size_t triangle : {sphere.triangles.size() - 5, sphere.triangles.size() / 3}) {
+    std::memcpy(&bytes[84 + 50 * triangle + 12 + 16], &broken, sizeof broken);
+    Diagnostics notes;
+    const auto read = parseMeshFile(bytes, "a.stl", {}, notes);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().message(), HasSubstr("triangle " + std::to_string(triangle + 1) + " of"));
+  }
 }
 
 }  // namespace

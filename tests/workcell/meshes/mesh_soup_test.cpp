@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include "workcell/meshes/color_channels.h"
 #include "workcell/meshes/mesh_pieces.h"
 #include "workcell/meshes/polygon_soup.h"
+#include "workcell/meshes/shared_corners.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -42,6 +44,24 @@ RC_GTEST_PROP(ByteSource, NumbersAreReadInEitherOrder, (std::uint16_t a, std::in
   RC_ASSERT(readNumber<std::uint8_t>("\x7f"
                                      "rest",
                                      std::endian::big) == 0x7f);
+}
+
+RC_GTEST_PROP(SharedCorners, NumbersAreThoseOfAMap, (std::vector<std::uint8_t> from)) {
+  std::vector<dvec3> points;
+  for (const std::uint8_t k : from) points.emplace_back(k % 5, k % 3, k % 2 == 0 ? 0.0 : -0.0);
+  std::vector<std::uint32_t> numbers(points.size());
+  SharedCorners many, one;
+  many.add(points, numbers.data());
+  std::vector<dvec3> wanted;  // In the order of their first corners; +0 and -0 differ.
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto same = [&](const dvec3& p) { return std::memcmp(&p, &points[k], sizeof p) == 0; };
+    const auto known = std::find_if(wanted.begin(), wanted.end(), same);
+    RC_ASSERT(numbers[k] == static_cast<std::uint32_t>(known - wanted.begin()));
+    RC_ASSERT(one.add(points[k]) == numbers[k]);
+    if (known == wanted.end()) wanted.push_back(points[k]);
+  }
+  RC_ASSERT(many.vertices().size() == wanted.size());
+  RC_ASSERT(many.take() == one.take());
 }
 
 TEST(ColorChannels, TheGreatestNumberTellsTheRange) {

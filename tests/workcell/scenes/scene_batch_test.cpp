@@ -106,7 +106,7 @@ TEST_F(Batch, ARobotIsOneStartOfTheImporter) {
   }
 }
 
-TEST_F(Batch, ACellIsOneStartOfTheImporter) {
+TEST_F(Batch, ACellIsOneStartOfTheImporterForItsTextAndOneForItsMeshes) {
   mesh("a.dae", 1.0);
   mesh("b.dae", 2.0);
   std::string models;
@@ -119,7 +119,7 @@ TEST_F(Batch, ACellIsOneStartOfTheImporter) {
   countStarts();
   const auto scene = readSdfCell(world, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
-  EXPECT_EQ(starts(), "read-all\n");
+  EXPECT_EQ(starts(), "resolve-sdf\nread-all\n");
   EXPECT_EQ(scene->meshes.size(), 2u);
 }
 

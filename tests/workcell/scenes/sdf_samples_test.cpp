@@ -13,13 +13,17 @@
 #include "tests/support/test_data.h"
 #include "workcell/scenes/sdf_cell_reader.h"
 #include "workcell/scenes/sdf_reader.h"
-#include "workcell/scenes/sdf_source.h"
 
 namespace hapticell::workcell {
 namespace {
 
 namespace fs = std::filesystem;
 using Places = std::multimap<std::string, Pose>;
+
+Pose toPose(const ignition::math::Pose3d& X) {
+  return {{X.Pos().X(), X.Pos().Y(), X.Pos().Z()},
+          glm::normalize(dquat(X.Rot().W(), X.Rot().X(), X.Rot().Y(), X.Rot().Z()))};
+}
 
 /// Nothing where the sample is one of those whose frames are wrong.
 std::optional<Pose> resolved(const sdf::SemanticPose& pose, const std::string& to) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/shapes/edge_uses.h"
+
+#include <algorithm>
+
+#include "geometry/system/assertion.h"
+#include "geometry/system/in_parallel.h"
+
+namespace hapticell::geometry {
+
+namespace {
+
+using Use = EdgeUses::Use;
+
+bool comesBefore(const Use& a, const Use& b) {
+  return a.high != b.high ? a.high < b.high : a.code < b.code;
+}
+
+/// Mostly some six of them.
+void sortFew(std::span<Use> uses) {
+  // Uses from which on std::sort() is quicker. Half, twice: no effect.
+  constexpr std::size_t kFew = 24;
+  if (uses.size() > kFew) return std::sort(uses.begin(), uses.end(), comesBefore);
+  for (std::size_t k = 1; k < uses.size(); ++k) {
+    const Use use = uses[k];
+    std::size_t at = k;
+    for (; at > 0 && comesBefore(use, uses[at - 1]); --at) uses[at] = uses[at - 1];
+    uses[at] = use;
+  }
+}
+
+}  // namespace
+
+EdgeUses::EdgeUses(std::span<const Triangle> triangles, std::size_t vertices) : begin_(vertices + 1, 0) {
+  constexpr std::size_t kMost = 700'000'000;
+  HAPTICELL_DEMAND(triangles.size() <= kMost);
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[k == 2 ? 0 : k + 1];
+      if (from != to) ++begin_[std::min(from, to)];
+    }
+  }
+  std::uint32_t sum = 0;  // Each place becomes the end of its uses, from where they are filled in backwards.
+  for (std::uint32_t& place : begin_) place = sum += place;
+  uses_.resize(sum);
+  for (std::size_t corner = 3 * triangles.size(); corner-- > 0;) {
+    const Triangle& t = triangles[corner / 3];
+    const std::size_t k = corner % 3;
+    const std::uint32_t from = t[k], to = t[k == 2 ? 0 : k + 1];
+    if (from == to) continue;
+    const bool up = from < to;
+    uses_[--begin_[up ? from : to]] = {up ? to : from, static_cast<std::uint32_t>(2 * corner + (up ? 1u : 0u))};
+  }
+  // Vertices for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 20'000;
+  inRanges(vertices, rangesOf(vertices, kLeast), [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t low = first; low < last; ++low) {
+      sortFew(std::span(uses_).subspan(begin_[low], begin_[low + 1] - begin_[low]));
+    }
+  });
+}
+
+}  // namespace hapticell::geometry

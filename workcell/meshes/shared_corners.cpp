@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/meshes/shared_corners.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace hapticell::workcell {
+
+namespace {
+
+std::uint32_t hashOf(const dvec3& p) {
+  std::uint64_t hash = 0;
+  for (const double part : {p.x, p.y, p.z}) hash = (hash ^ std::bit_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ull;
+  return static_cast<std::uint32_t>((hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9ull >> 32);
+}
+
+bool hasSameBits(const dvec3& a, const dvec3& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+}  // namespace
+
+std::uint32_t SharedCorners::add(const dvec3& p) {
+  return addHashed(p, hashOf(p));
+}
+
+void SharedCorners::add(std::span<const dvec3> points, std::uint32_t* numbers) {
+  // Corners in one go: what memory answers at a time. Half: it is waited for; twice: no effect.
+  constexpr std::size_t kBatch = 24;
+  std::array<std::uint32_t, kBatch> hashes{};
+  for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
+    const std::size_t count = std::min(kBatch, points.size() - begin);
+    if (slots_.empty()) grow();
+    for (std::size_t k = 0; k < count; ++k) {
+      hashes[k] = hashOf(points[begin + k]);
+      __builtin_prefetch(&slots_[hashes[k] & mask_]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const Slot& slot = slots_[hashes[k] & mask_];
+      if (slot.vertex != kFree) __builtin_prefetch(&vertices_[slot.vertex]);
+    }
+    for (std::size_t k = 0; k < count; ++k) numbers[begin + k] = addHashed(points[begin + k], hashes[k]);
+  }
+}
+
+std::uint32_t SharedCorners::addHashed(const dvec3& p, std::uint32_t hash) {
+  if (2 * vertices_.size() >= slots_.size()) grow();
+  std::size_t place = hash & mask_;
+  while (slots_[place].vertex != kFree) {
+    const Slot& slot = slots_[place];
+    if (slot.hash == hash && hasSameBits(vertices_[slot.vertex], p)) return slot.vertex;
+    place = (place + 1) & mask_;
+  }
+  const auto number = static_cast<std::uint32_t>(vertices_.size());
+  slots_[place] = {hash, number};
+  vertices_.push_back(p);
+  return number;
+}
+
+void SharedCorners::grow() {
+  std::vector<Slot> old(std::max<std::size_t>(1024, 2 * slots_.size()));
+  old.swap(slots_);
+  mask_ = slots_.size() - 1;
+  for (const Slot& slot : old) {
+    if (slot.vertex == kFree) continue;
+    std::size_t place = slot.hash & mask_;
+    while (slots_[place].vertex != kFree) place = (place + 1) & mask_;
+    slots_[place] = slot;
+  }
+}
+
+}  // namespace hapticell::workcell
