@@ -15,6 +15,7 @@
 #include "cli/mannequin/mannequin_command.h"
 #include "cli/robot/robot_commands.h"
 #include "cli/session/session_commands.h"
+#include "cli/study/study_commands.h"
 #include "cli/trajectory/trajectory_command.h"
 #include "cli/workcell/workcell_commands.h"
 #include "config/program_version.h"
@@ -82,6 +83,7 @@ int runCommandLine(int argc, char** argv) {
   addPairCommand(words, chosen);
   addWorkcellCommand(words, chosen);
   addSessionCommand(words, chosen);
+  addStudyCommand(words, chosen);
 
   // No command of its own: its words may be any of another command's, and it is for shells.
   if (argc > 1 && std::string_view(argv[1]) == "completion") return runCompletion(app, {argv + 2, argv + argc});

@@ -803,6 +803,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il reste %1 triangles sur %2, à %3 au plus de la surface.</translation>
     </message>
     <message>
+        <source>%1 of %2 variants or searches are in no part</source>
+        <translation>%1 variantes ou recherches sur %2 ne sont dans aucune partie</translation>
+    </message>
+    <message>
         <source>%1 of %2:  %3</source>
         <translation>%1 de %2 :  %3</translation>
     </message>
@@ -959,6 +963,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
     </message>
     <message>
+        <source>%1 things that vary</source>
+        <translation>%1 choses qui varient</translation>
+    </message>
+    <message>
         <source>%1 times, last %2</source>
         <translation>%1 fois, dernière à %2</translation>
     </message>
@@ -1037,6 +1045,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 used as a function</source>
         <translation>%1 à la place d'une fonction</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 valeurs</translation>
     </message>
     <message>
         <source>%1 values for %2 names</source>
@@ -1221,6 +1233,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, as in the header</source>
         <translation>%1, comme dans l'en-tête</translation>
+    </message>
+    <message>
+        <source>%1, as the others</source>
+        <translation>%1, comme les autres</translation>
     </message>
     <message>
         <source>%1, byte %2</source>
@@ -1763,6 +1779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' est verrouillé en place</translation>
     </message>
     <message>
+        <source>'%1' is not a built-in part</source>
+        <translation>« %1 » n'est pas une pièce intégrée</translation>
+    </message>
+    <message>
         <source>'%1' is not a solid of the cell</source>
         <translation>'%1' n'est pas un solide de la cellule</translation>
     </message>
@@ -1813,6 +1833,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'%1', which has no value</source>
         <translation>'%1', qui n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>'%1', which is no robot</source>
+        <translation>« %1 », qui n'est pas un robot</translation>
     </message>
     <message>
         <source>'%1', which is not a robot</source>
@@ -1991,6 +2015,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--check %1</translation>
     </message>
     <message>
+        <source>--chunk</source>
+        <translation>--chunk</translation>
+    </message>
+    <message>
         <source>--device</source>
         <translation>--device</translation>
     </message>
@@ -2059,6 +2087,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--record-interval, --record-distance</translation>
     </message>
     <message>
+        <source>--robot</source>
+        <translation>--robot</translation>
+    </message>
+    <message>
         <source>--robot or --velocity</source>
         <translation>--robot ou --velocity</translation>
     </message>
@@ -2085,6 +2117,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--sex</source>
         <translation>--sex</translation>
+    </message>
+    <message>
+        <source>--slurm</source>
+        <translation>--slurm</translation>
     </message>
     <message>
         <source>--start</source>
@@ -2119,12 +2155,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>--up, --markers</translation>
     </message>
     <message>
+        <source>--variant</source>
+        <translation>--variant</translation>
+    </message>
+    <message>
         <source>--velocity</source>
         <translation>--velocity</translation>
     </message>
     <message>
         <source>--view</source>
         <translation>--view</translation>
+    </message>
+    <message>
+        <source>--workcell</source>
+        <translation>--workcell</translation>
     </message>
     <message>
         <source>-changes.pdf</source>
@@ -2277,6 +2321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>1 to 10000 placements</source>
         <translation>1 à 10000 placements</translation>
+    </message>
+    <message>
+        <source>1 to 60 letters, digits, '_' and '-'</source>
+        <translation>1 à 60 lettres, chiffres, « _ » et « - »</translation>
     </message>
     <message>
         <source>1, the newest version that this program can read</source>
@@ -2637,6 +2685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add the link or correct the name.</source>
         <translation>Ajoutez le segment ou corrigez le nom.</translation>
+    </message>
+    <message>
+        <source>Add the missing chunks, or merge with --partial and let study run complete the result.</source>
+        <translation>Ajoutez les morceaux manquants, ou fusionnez avec --partial et laissez study run compléter le résultat.</translation>
     </message>
     <message>
         <source>Add with size</source>
@@ -3271,6 +3323,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le mouvement</translation>
     </message>
     <message>
+        <source>Check the options for this cluster; the script stays in the folder.</source>
+        <translation>Vérifiez les options pour cette grappe ; le script reste dans le dossier.</translation>
+    </message>
+    <message>
         <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
         <translation>Vérifiez l'unité. Si elle est juste, déplacez la pièce à l'origine dans le logiciel de CAO.</translation>
     </message>
@@ -3341,6 +3397,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose another folder.</source>
         <translation>Écrivez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>Choose another results file.</source>
+        <translation>Choisissez un autre fichier de résultats.</translation>
     </message>
     <message>
         <source>Choose another tip link.</source>
@@ -5187,6 +5247,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Je le tiens : démarrer</translation>
     </message>
     <message>
+        <source>I/N with 1 &lt;= I &lt;= N, for example 3/16</source>
+        <translation>I/N avec 1 &lt;= I &lt;= N, par exemple 3/16</translation>
+    </message>
+    <message>
         <source>If a property is a text here, check it for a mistyped number.</source>
         <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
     </message>
@@ -5335,12 +5399,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réinstallez HaptiCell.</translation>
     </message>
     <message>
+        <source>Install Slurm (Debian: slurm-client), or run the chunks by GNU Parallel.</source>
+        <translation>Installez Slurm (Debian : slurm-client), ou lancez les morceaux avec GNU Parallel.</translation>
+    </message>
+    <message>
         <source>Install ffmpeg, or save a picture (.png).</source>
         <translation>Installez ffmpeg, ou enregistrez une image (png).</translation>
     </message>
     <message>
         <source>Install the library that this message names, or remove the file.</source>
         <translation>Installez la bibliothèque qu'il nomme, ou supprimez le fichier.</translation>
+    </message>
+    <message>
+        <source>Install the version of HaptiCell that made them.</source>
+        <translation>Installez la version de HaptiCell qui les a produits.</translation>
     </message>
     <message>
         <source>Invert the wheel</source>
@@ -5553,6 +5625,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Leave one of the two files out.</source>
+        <translation>Laissez de côté l'un des deux fichiers.</translation>
     </message>
     <message>
         <source>Leave the unit out.</source>
@@ -5773,6 +5849,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Make an exercise from this cell and an expert's motion</source>
         <translation>Créer un exercice avec cette cellule et le mouvement d'un expert</translation>
+    </message>
+    <message>
+        <source>Make room and run the same command again: it continues with the missing variants.</source>
+        <translation>Libérez de la place et relancez la même commande : elle continue avec les variantes manquantes.</translation>
     </message>
     <message>
         <source>Man</source>
@@ -6955,6 +7035,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Paires et jeux</translation>
     </message>
     <message>
+        <source>Pairs that touch in the given cell are not checked: %1</source>
+        <translation>Les paires qui se touchent dans la cellule donnée ne sont pas vérifiées : %1</translation>
+    </message>
+    <message>
         <source>Pairs, sets and log</source>
         <translation>Paires, jeux et journal</translation>
     </message>
@@ -7463,6 +7547,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>REBA</translation>
     </message>
     <message>
+        <source>RESULTS</source>
+        <translation>RESULTS</translation>
+    </message>
+    <message>
         <source>RIGHT</source>
         <translation>DROITE</translation>
     </message>
@@ -7585,6 +7673,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Reaching</source>
         <translation>En atteignant</translation>
+    </message>
+    <message>
+        <source>Read the files task-N.log in this folder, then run the same command again.</source>
+        <translation>Lisez les fichiers task-N.log de ce dossier, puis relancez la même commande.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -7941,6 +8033,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Run ros2 topic echo again with --full-length (-f).</source>
         <translation>Relancez ros2 topic echo avec --full-length (-f).</translation>
+    </message>
+    <message>
+        <source>Run the same command again to continue.</source>
+        <translation>Relancez la même commande pour continuer.</translation>
+    </message>
+    <message>
+        <source>Run the same command again: it submits only the chunks that are missing then.</source>
+        <translation>Relancez la même commande : elle ne soumet que les morceaux qui manquent alors.</translation>
+    </message>
+    <message>
+        <source>Run the study again: the row was changed, or made by another kind of processor.</source>
+        <translation>Relancez l'étude : la ligne a été modifiée, ou produite par un autre type de processeur.</translation>
     </message>
     <message>
         <source>Runs: %1, the last with %2 points</source>
@@ -8449,6 +8553,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Slowness</source>
         <translation>Lenteur</translation>
+    </message>
+    <message>
+        <source>Slurm's commands in PATH</source>
+        <translation>les commandes de Slurm dans PATH</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -9855,6 +9963,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
     <message>
+        <source>Use the same version for all rows, or choose another results file.</source>
+        <translation>Utilisez la même version pour toutes les lignes, ou choisissez un autre fichier de résultats.</translation>
+    </message>
+    <message>
         <source>Use the selected motion as the expert's, in the current cell</source>
         <translation>Prendre le mouvement choisi comme celui de l'expert, dans la cellule actuelle</translation>
     </message>
@@ -9901,6 +10013,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Visible share</source>
         <translation>Part visible</translation>
+    </message>
+    <message>
+        <source>Wait until it has ended, or choose another file.</source>
+        <translation>Attendez sa fin, ou choisissez un autre fichier.</translation>
     </message>
     <message>
         <source>Waiting for the haptic server</source>
@@ -10367,8 +10483,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un pavé dont la taille ne se compose pas de trois nombres</translation>
     </message>
     <message>
+        <source>a built-in part</source>
+        <translation>une pièce intégrée</translation>
+    </message>
+    <message>
         <source>a built-in part, such as a box, a table or a bench</source>
         <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
+    </message>
+    <message>
+        <source>a cell with parts</source>
+        <translation>une cellule avec des pièces</translation>
     </message>
     <message>
         <source>a chain that ends at an independent joint</source>
@@ -10559,6 +10683,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier que personne d'autre n'a ouvert</translation>
     </message>
     <message>
+        <source>a file that study run or study merge wrote</source>
+        <translation>un fichier écrit par study run ou study merge</translation>
+    </message>
+    <message>
         <source>a file that you can write</source>
         <translation>un fichier accessible en écriture</translation>
     </message>
@@ -10651,6 +10779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'étalonnage d'un gant</translation>
     </message>
     <message>
+        <source>a greater number</source>
+        <translation>un nombre plus grand</translation>
+    </message>
+    <message>
         <source>a haptic server</source>
         <translation>un serveur haptique</translation>
     </message>
@@ -10665,6 +10797,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a header line with the columns %1</source>
         <translation>une ligne d'en-tête avec les colonnes %1</translation>
+    </message>
+    <message>
+        <source>a header without rows</source>
+        <translation>un en-tête sans lignes</translation>
     </message>
     <message>
         <source>a high risk</source>
@@ -10689,6 +10825,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a joint between models of a world</source>
         <translation>une articulation entre des modèles d'un monde</translation>
+    </message>
+    <message>
+        <source>a joint of this robot</source>
+        <translation>une articulation de ce robot</translation>
     </message>
     <message>
         <source>a joint position that is not a number</source>
@@ -10775,6 +10915,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une ligne 'format'</translation>
     </message>
     <message>
+        <source>a line break</source>
+        <translation>un saut de ligne</translation>
+    </message>
+    <message>
         <source>a line for each face</source>
         <translation>une ligne par face</translation>
     </message>
@@ -10805,6 +10949,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a link of the robot</source>
         <translation>un segment du robot</translation>
+    </message>
+    <message>
+        <source>a link of the robot that carries the tool</source>
+        <translation>un segment du robot qui porte l'outil</translation>
     </message>
     <message>
         <source>a link that a joint moves</source>
@@ -10857,6 +11005,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a list or a date</source>
         <translation>une liste ou une date</translation>
+    </message>
+    <message>
+        <source>a list or a range</source>
+        <translation>une liste ou un intervalle</translation>
     </message>
     <message>
         <source>a list or a text</source>
@@ -10995,6 +11147,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom</translation>
     </message>
     <message>
+        <source>a name of its own</source>
+        <translation>un nom qui lui est propre</translation>
+    </message>
+    <message>
         <source>a name or link that leads out of the archive</source>
         <translation>un nom ou un lien qui mène hors de l'archive</translation>
     </message>
@@ -11011,6 +11167,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom qui n'est pas un texte</translation>
     </message>
     <message>
+        <source>a name that is taken</source>
+        <translation>un nom déjà pris</translation>
+    </message>
+    <message>
         <source>a name without dots, other than call</source>
         <translation>un nom sans points, autre que call</translation>
     </message>
@@ -11019,8 +11179,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un espace de noms</translation>
     </message>
     <message>
+        <source>a new file</source>
+        <translation>un nouveau fichier</translation>
+    </message>
+    <message>
         <source>a new or empty folder</source>
         <translation>un dossier nouveau ou vide</translation>
+    </message>
+    <message>
+        <source>a new results file</source>
+        <translation>un nouveau fichier de résultats</translation>
     </message>
     <message>
         <source>a node of the file</source>
@@ -11049,6 +11217,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a number below %1, the number of vertices</source>
         <translation>moins que les %1 sommets du fichier</translation>
+    </message>
+    <message>
+        <source>a number of a row, below %1</source>
+        <translation>un numéro de ligne, inférieur à %1</translation>
     </message>
     <message>
         <source>a number of degrees</source>
@@ -11247,6 +11419,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une partie de %1 s à %2 s</translation>
     </message>
     <message>
+        <source>a range without steps</source>
+        <translation>un intervalle sans pas</translation>
+    </message>
+    <message>
         <source>a ratio and an offset</source>
         <translation>un rapport et un décalage</translation>
     </message>
@@ -11311,6 +11487,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot avec un segment mobile</translation>
     </message>
     <message>
+        <source>a robot with named tools</source>
+        <translation>un robot avec des outils nommés</translation>
+    </message>
+    <message>
+        <source>a robot's file or library:NAME, or --collision-free with --workcell and --entity</source>
+        <translation>le fichier d'un robot ou library:NAME, ou --collision-free avec --workcell et --entity</translation>
+    </message>
+    <message>
         <source>a robot, which can have a tool</source>
         <translation>un robot, qui peut avoir un outil</translation>
     </message>
@@ -11339,6 +11523,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une vis sans pas</translation>
     </message>
     <message>
+        <source>a search without a range</source>
+        <translation>une recherche sans intervalle</translation>
+    </message>
+    <message>
         <source>a search, which stops at a signal; it is read up to its end point.</source>
         <translation>une recherche, qui s'arrête à un signal ; elle est lue jusqu'à son point final.</translation>
     </message>
@@ -11361,6 +11549,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a second link '%1' (the first is on %2)</source>
         <translation>un second segment '%1' (le premier : %2)</translation>
+    </message>
+    <message>
+        <source>a second one called '%1'</source>
+        <translation>un deuxième nommé « %1 »</translation>
     </message>
     <message>
         <source>a second right hand in the same step</source>
@@ -11481,6 +11673,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a stop out of range</source>
         <translation>une butée hors limites</translation>
+    </message>
+    <message>
+        <source>a study (.hstudy)</source>
+        <translation>une étude (.hstudy)</translation>
+    </message>
+    <message>
+        <source>a study without objectives</source>
+        <translation>une étude sans objectifs</translation>
     </message>
     <message>
         <source>a table</source>
@@ -11615,6 +11815,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une qui bouge</translation>
     </message>
     <message>
+        <source>a tolerance in a search</source>
+        <translation>une tolérance dans une recherche</translation>
+    </message>
+    <message>
         <source>a tool of '%1'</source>
         <translation>un outil de '%1'</translation>
     </message>
@@ -11719,6 +11923,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une valeur que le fichier ne donne pas</translation>
     </message>
     <message>
+        <source>a value without a bound</source>
+        <translation>une valeur sans borne</translation>
+    </message>
+    <message>
         <source>a velocity and an acceleration above 0 for each of %1 axes</source>
         <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
     </message>
@@ -11771,8 +11979,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre entier à partir de 1</translation>
     </message>
     <message>
+        <source>a work task of the cell, or one of %1</source>
+        <translation>une tâche de la cellule, ou l'une de %1</translation>
+    </message>
+    <message>
         <source>a workcell document</source>
         <translation>un document de cellule</translation>
+    </message>
+    <message>
+        <source>a workcell document (.hcell)</source>
+        <translation>un document de cellule (.hcell)</translation>
     </message>
     <message>
         <source>a zip archive</source>
@@ -11817,6 +12033,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>age: median %1 ms, 99th percentile %2 ms; %3</source>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
+    </message>
+    <message>
+        <source>all of them</source>
+        <translation>toutes</translation>
     </message>
     <message>
         <source>all parts are read as rigid bodies</source>
@@ -11955,8 +12175,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un &lt;geometry&gt; vide</translation>
     </message>
     <message>
+        <source>an empty cell</source>
+        <translation>une cellule vide</translation>
+    </message>
+    <message>
         <source>an empty file</source>
         <translation>un fichier vide</translation>
+    </message>
+    <message>
+        <source>an empty list</source>
+        <translation>une liste vide</translation>
     </message>
     <message>
         <source>an empty message</source>
@@ -12255,6 +12483,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>une entité d'un autre type</translation>
     </message>
     <message>
+        <source>another name than %1</source>
+        <translation>un autre nom que %1</translation>
+    </message>
+    <message>
+        <source>another program writes into this file</source>
+        <translation>un autre programme écrit dans ce fichier</translation>
+    </message>
+    <message>
         <source>another version</source>
         <translation>une autre version</translation>
     </message>
@@ -12277,6 +12513,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>as in the controller</source>
         <translation>celui de la commande</translation>
+    </message>
+    <message>
+        <source>as many values as the others</source>
+        <translation>autant de valeurs que les autres</translation>
     </message>
     <message>
         <source>assembly '%1'</source>
@@ -12307,6 +12547,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un &lt;link&gt;</translation>
     </message>
     <message>
+        <source>at least one [[vary]] with from and to, without steps</source>
+        <translation>au moins un [[vary]] avec from et to, sans steps</translation>
+    </message>
+    <message>
         <source>at least one frame</source>
         <translation>au moins une image</translation>
     </message>
@@ -12319,12 +12563,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un mouvement activé</translation>
     </message>
     <message>
+        <source>at least one number</source>
+        <translation>au moins un nombre</translation>
+    </message>
+    <message>
         <source>at least one part that can be read</source>
         <translation>au moins une pièce lisible</translation>
     </message>
     <message>
         <source>at least one part, such as a table or a fixture</source>
         <translation>au moins une pièce, par exemple une table ou un montage</translation>
+    </message>
+    <message>
+        <source>at least one pose</source>
+        <translation>au moins une pose</translation>
+    </message>
+    <message>
+        <source>at least one results file</source>
+        <translation>au moins un fichier de résultats</translation>
     </message>
     <message>
         <source>at least one solid</source>
@@ -12335,8 +12591,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un solide ou une surface</translation>
     </message>
     <message>
+        <source>at least one table [[objective]]</source>
+        <translation>au moins une table [[objective]]</translation>
+    </message>
+    <message>
         <source>at least one target</source>
         <translation>au moins une cible</translation>
+    </message>
+    <message>
+        <source>at least one text</source>
+        <translation>au moins un texte</translation>
     </message>
     <message>
         <source>at least one value</source>
@@ -12459,6 +12723,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au travail</translation>
     </message>
     <message>
+        <source>at_least or at_most</source>
+        <translation>at_least ou at_most</translation>
+    </message>
+    <message>
         <source>attempt %1</source>
         <translation>essai %1</translation>
     </message>
@@ -12499,6 +12767,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>rayon de raccordement</translation>
     </message>
     <message>
+        <source>bodies such as &quot;female:5&quot; or &quot;male:1750mm&quot;</source>
+        <translation>des corps tels que &quot;female:5&quot; ou &quot;male:1750mm&quot;</translation>
+    </message>
+    <message>
         <source>bones and shape morphing; the mesh is shown as modelled</source>
         <translation>des os et des mélanges de formes ; le maillage est affiché tel que modélisé</translation>
     </message>
@@ -12523,12 +12795,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>à la fois [%1] et [%2]</translation>
     </message>
     <message>
+        <source>both [sampling] and [search]</source>
+        <translation>à la fois [sampling] et [search]</translation>
+    </message>
+    <message>
         <source>both are given</source>
         <translation>les deux sont donnés</translation>
     </message>
     <message>
         <source>both joints of the leg are at the same point</source>
         <translation>les deux articulations de la jambe sont au même point</translation>
+    </message>
+    <message>
+        <source>both library and values</source>
+        <translation>à la fois library et values</translation>
     </message>
     <message>
         <source>box:, table:, fence: or another built-in part</source>
@@ -12615,6 +12895,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>bloc (chunk)</translation>
     </message>
     <message>
+        <source>chunks %1 failed %2 times</source>
+        <translation>les morceaux %1 ont échoué %2 fois</translation>
+    </message>
+    <message>
         <source>clearance</source>
         <translation>distance</translation>
     </message>
@@ -12633,6 +12917,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>comb() or perm() of a negative number</source>
         <translation>comb() ou perm() appliqué à un nombre négatif</translation>
+    </message>
+    <message>
+        <source>complete results of every chunk</source>
+        <translation>des résultats complets de chaque morceau</translation>
     </message>
     <message>
         <source>completion</source>
@@ -12787,6 +13075,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque os une seule fois</translation>
     </message>
     <message>
+        <source>each chunk once</source>
+        <translation>chaque morceau une fois</translation>
+    </message>
+    <message>
         <source>each element once</source>
         <translation>chaque élément une seule fois</translation>
     </message>
@@ -12817,6 +13109,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>each wrist has one marker; neither pronation nor supination of the forearms is assumed</source>
         <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>either values, or from and to (with steps), or sigma (with middle)</source>
+        <translation>soit values, soit from et to (avec steps), soit sigma (avec middle)</translation>
     </message>
     <message>
         <source>elements nested deeper than %1</source>
@@ -12863,6 +13159,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'entité '%1' est archivée sans son fichier, qui n'a pas pu être lu</translation>
     </message>
     <message>
+        <source>entity '%1' of another kind</source>
+        <translation>l'entité « %1 » d'un autre genre</translation>
+    </message>
+    <message>
+        <source>entity '%1' without joints</source>
+        <translation>l'entité « %1 » sans articulations</translation>
+    </message>
+    <message>
         <source>entity '%1', link '%2'</source>
         <translation>entité '%1', segment '%2'</translation>
     </message>
@@ -12871,8 +13175,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>entité '%1' : son &quot;placement&quot; n'est pas là où elle est attachée à '%2' ; elle est placée là où elle est attachée</translation>
     </message>
     <message>
+        <source>entity = &quot;...&quot; or entities = [...]</source>
+        <translation>entity = &quot;...&quot; ou entities = [...]</translation>
+    </message>
+    <message>
         <source>entry '%1'</source>
         <translation>entrée '%1'</translation>
+    </message>
+    <message>
+        <source>equal results</source>
+        <translation>des résultats égaux</translation>
     </message>
     <message>
         <source>error, warning, info or debug</source>
@@ -12935,12 +13247,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>moins de nœuds répétés</translation>
     </message>
     <message>
+        <source>fewer starts or evaluations</source>
+        <translation>moins de départs ou d'évaluations</translation>
+    </message>
+    <message>
         <source>fewer than a million</source>
         <translation>moins d'un million</translation>
     </message>
     <message>
         <source>fewer than two different frames</source>
         <translation>moins de deux images différentes</translation>
+    </message>
+    <message>
+        <source>fewer values, or samples</source>
+        <translation>moins de valeurs, ou un échantillonnage</translation>
     </message>
     <message>
         <source>ffmpeg</source>
@@ -13041,6 +13361,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>forces off</source>
         <translation>coupe les efforts</translation>
+    </message>
+    <message>
+        <source>format %1</source>
+        <translation>format %1</translation>
     </message>
     <message>
         <source>four digits: back, arms, legs, load</source>
@@ -13907,6 +14231,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>type de message %1</translation>
     </message>
     <message>
+        <source>method = &quot;halton&quot; or &quot;sobol&quot;</source>
+        <translation>method = &quot;halton&quot; ou &quot;sobol&quot;</translation>
+    </message>
+    <message>
         <source>metre</source>
         <translation>mètre</translation>
     </message>
@@ -14035,6 +14363,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de %1 niveaux imbriqués</translation>
     </message>
     <message>
+        <source>more than 10 000 000 variants</source>
+        <translation>plus de 10 000 000 variantes</translation>
+    </message>
+    <message>
         <source>more than 100 nested blocks</source>
         <translation>plus de 100 blocs imbriqués</translation>
     </message>
@@ -14123,6 +14455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des fichiers à l'intérieur</translation>
     </message>
     <message>
+        <source>names in one line</source>
+        <translation>des noms sur une ligne</translation>
+    </message>
+    <message>
         <source>names of entities of the cell</source>
         <translation>des noms d'entités de la cellule</translation>
     </message>
@@ -14183,8 +14519,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de taille</translation>
     </message>
     <message>
+        <source>no cell</source>
+        <translation>aucune cellule</translation>
+    </message>
+    <message>
         <source>no clearance</source>
         <translation>pas de distance</translation>
+    </message>
+    <message>
+        <source>no cluster</source>
+        <translation>aucune grappe</translation>
     </message>
     <message>
         <source>no column '%1' in %2</source>
@@ -14203,12 +14547,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de périphérique</translation>
     </message>
     <message>
+        <source>no entity</source>
+        <translation>aucune entité</translation>
+    </message>
+    <message>
         <source>no entity has the number %1</source>
         <translation>pas d'entité %1</translation>
     </message>
     <message>
         <source>no entity is named '%1'</source>
         <translation>aucune entité ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no entity of the cell is named '%1'</source>
+        <translation>aucune entité de la cellule ne s'appelle « %1 »</translation>
     </message>
     <message>
         <source>no entity with a shape</source>
@@ -14291,6 +14643,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun blocage, car %1 ne déplace aucune partie d'un mannequin</translation>
     </message>
     <message>
+        <source>no longer following job %1; Slurm continues with it</source>
+        <translation>le travail %1 n'est plus suivi ; Slurm le continue</translation>
+    </message>
+    <message>
         <source>no mannequin</source>
         <translation>pas un mannequin</translation>
     </message>
@@ -14363,6 +14719,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune pièce ne s'appelle '%1'</translation>
     </message>
     <message>
+        <source>no parts to merge</source>
+        <translation>aucune partie à fusionner</translation>
+    </message>
+    <message>
         <source>no parts to move</source>
         <translation>aucune pièce à déplacer</translation>
     </message>
@@ -14373,6 +14733,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no points</source>
         <translation>pas de points</translation>
+    </message>
+    <message>
+        <source>no result is called '%1'</source>
+        <translation>aucun résultat ne s'appelle « %1 »</translation>
+    </message>
+    <message>
+        <source>no results file</source>
+        <translation>aucun fichier de résultats</translation>
+    </message>
+    <message>
+        <source>no results of a study</source>
+        <translation>pas de résultats d'une étude</translation>
+    </message>
+    <message>
+        <source>no robot</source>
+        <translation>aucun robot</translation>
     </message>
     <message>
         <source>no shape</source>
@@ -14393,6 +14769,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no simulated device is named '%1'</source>
         <translation>aucun périphérique simulé ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no single range of values</source>
+        <translation>pas d'intervalle de valeurs unique</translation>
     </message>
     <message>
         <source>no such column</source>
@@ -14423,12 +14803,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun outil ne s'appelle '%1'</translation>
     </message>
     <message>
+        <source>no tool of '%1' is named '%2'</source>
+        <translation>aucun outil de « %1 » ne s'appelle « %2 »</translation>
+    </message>
+    <message>
         <source>no trajectory is named '%1'</source>
         <translation>aucune trajectoire ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no unit: robot files are in metres</source>
         <translation>aucune : les fichiers de robots sont en mètres</translation>
+    </message>
+    <message>
+        <source>no variant %1</source>
+        <translation>pas de variante %1</translation>
+    </message>
+    <message>
+        <source>no work task is named '%1'</source>
+        <translation>aucune tâche ne s'appelle « %1 »</translation>
     </message>
     <message>
         <source>node %1</source>
@@ -14593,6 +14985,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
+    </message>
+    <message>
+        <source>nothing that is moved</source>
+        <translation>rien qui soit déplacé</translation>
     </message>
     <message>
         <source>now</source>
@@ -15055,6 +15451,30 @@ Voulez-vous le remplacer ?</translation>
         <translation>ressource introuvable : %1 (%2)</translation>
     </message>
     <message>
+        <source>results of '%1' as it is now</source>
+        <translation>les résultats de « %1 » dans son état actuel</translation>
+    </message>
+    <message>
+        <source>results of another study, or of files that have changed since</source>
+        <translation>les résultats d'une autre étude, ou de fichiers modifiés depuis</translation>
+    </message>
+    <message>
+        <source>results of format %1</source>
+        <translation>des résultats au format %1</translation>
+    </message>
+    <message>
+        <source>results of this study</source>
+        <translation>les résultats de cette étude</translation>
+    </message>
+    <message>
+        <source>results of version %1</source>
+        <translation>les résultats de la version %1</translation>
+    </message>
+    <message>
+        <source>results that differ from a new evaluation</source>
+        <translation>des résultats différents d'une nouvelle évaluation</translation>
+    </message>
+    <message>
         <source>results.pdf</source>
         <translation>resultats.pdf</translation>
     </message>
@@ -15115,6 +15535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>robot '%1', segment '%2'</translation>
     </message>
     <message>
+        <source>robots</source>
+        <translation>des robots</translation>
+    </message>
+    <message>
         <source>rough</source>
         <translation>grosse</translation>
     </message>
@@ -15137,6 +15561,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>sample</source>
         <translation>pas de temps</translation>
+    </message>
+    <message>
+        <source>samples with a method that has none</source>
+        <translation>samples avec une méthode qui n'en a pas</translation>
     </message>
     <message>
         <source>saved</source>
@@ -15339,6 +15767,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>stature</translation>
     </message>
     <message>
+        <source>status %1</source>
+        <translation>code %1</translation>
+    </message>
+    <message>
         <source>step</source>
         <translation>pas</translation>
     </message>
@@ -15347,8 +15779,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas %1 ms</translation>
     </message>
     <message>
+        <source>steps for a full grid, or [sampling]</source>
+        <translation>steps pour une grille complète, ou [sampling]</translation>
+    </message>
+    <message>
+        <source>steps is not a whole number</source>
+        <translation>steps n'est pas un nombre entier</translation>
+    </message>
+    <message>
         <source>stop, slide or pass</source>
         <translation>stop, slide ou pass</translation>
+    </message>
+    <message>
+        <source>stopped before all variants were evaluated; the rows so far are kept</source>
+        <translation>arrêt avant l'évaluation de toutes les variantes ; les lignes déjà produites sont gardées</translation>
+    </message>
+    <message>
+        <source>study submit</source>
+        <translation>study submit</translation>
     </message>
     <message>
         <source>stylus button</source>
@@ -15611,6 +16059,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le dictionnaire n'a pas de clé '%1'</translation>
     </message>
     <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
         <source>the document</source>
         <translation>le document</translation>
     </message>
@@ -15719,6 +16171,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas pu être lu</translation>
     </message>
     <message>
+        <source>the file could not be used (%1)</source>
+        <translation>le fichier n'a pas pu être utilisé (%1)</translation>
+    </message>
+    <message>
         <source>the file differs from what was written</source>
         <translation>le fichier diffère de ce qui a été écrit</translation>
     </message>
@@ -15761,6 +16217,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file ends too early</source>
         <translation>le fichier se termine trop tôt</translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation>le fichier existe</translation>
     </message>
     <message>
         <source>the file has %1 solids; they were joined to one</source>
@@ -15861,6 +16321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file stops with the error: %1</source>
         <translation>le fichier s'arrête avec l'erreur : %1</translation>
+    </message>
+    <message>
+        <source>the file that study run wrote</source>
+        <translation>le fichier écrit par study run</translation>
     </message>
     <message>
         <source>the file warns: %1</source>
@@ -16135,6 +16599,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de maillage</translation>
     </message>
     <message>
+        <source>the method '%1'</source>
+        <translation>la méthode « %1 »</translation>
+    </message>
+    <message>
         <source>the mimicked joint '%1' is not in the file</source>
         <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
     </message>
@@ -16145,6 +16613,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the motion of an expert</source>
         <translation>le mouvement d'un expert</translation>
+    </message>
+    <message>
+        <source>the name '%1'</source>
+        <translation>le nom « %1 »</translation>
     </message>
     <message>
         <source>the name '%1' is already in use</source>
@@ -16191,6 +16663,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un mannequin de la cellule</translation>
     </message>
     <message>
+        <source>the name of a robot of the cell</source>
+        <translation>le nom d'un robot de la cellule</translation>
+    </message>
+    <message>
         <source>the name of an entity</source>
         <translation>le nom d'une entité</translation>
     </message>
@@ -16209,6 +16685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the name of the guided entity</source>
         <translation>le nom de l'entité guidée</translation>
+    </message>
+    <message>
+        <source>the number of a job</source>
+        <translation>le numéro d'un travail</translation>
     </message>
     <message>
         <source>the number of an element that does not exist</source>
@@ -16291,6 +16771,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les pièces ne peuvent pas être écrites en STEP</translation>
     </message>
     <message>
+        <source>the place of this program is not known</source>
+        <translation>l'emplacement de ce programme est inconnu</translation>
+    </message>
+    <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
@@ -16339,6 +16823,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le programme %1 n'a pas pu être lancé : %2</translation>
     </message>
     <message>
+        <source>the program %1 is not installed</source>
+        <translation>le programme %1 n'est pas installé</translation>
+    </message>
+    <message>
         <source>the program as written</source>
         <translation>le programme tel qu'il a été écrit</translation>
     </message>
@@ -16381,6 +16869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the result of '%1'</source>
         <translation>le résultat de '%1'</translation>
+    </message>
+    <message>
+        <source>the results of a study</source>
+        <translation>les résultats d'une étude</translation>
     </message>
     <message>
         <source>the robot file has no speed limits</source>
@@ -16719,6 +17211,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>jusqu'au bord</translation>
     </message>
     <message>
+        <source>to is not above from</source>
+        <translation>to n'est pas supérieur à from</translation>
+    </message>
+    <message>
         <source>too many brackets</source>
         <translation>trop de parenthèses</translation>
     </message>
@@ -16801,6 +17297,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>turn on</source>
         <translation>mettre en marche</translation>
+    </message>
+    <message>
+        <source>turns is not a whole number</source>
+        <translation>turns n'est pas un nombre entier</translation>
     </message>
     <message>
         <source>two columns '%1'</source>
@@ -16903,6 +17403,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>des valeurs positives</translation>
     </message>
     <message>
+        <source>variant %1</source>
+        <translation>variante %1</translation>
+    </message>
+    <message>
+        <source>variant %1 is also in %2</source>
+        <translation>la variante %1 est aussi dans %2</translation>
+    </message>
+    <message>
+        <source>vary '%1'</source>
+        <translation>vary « %1 »</translation>
+    </message>
+    <message>
         <source>version %1</source>
         <translation>version %1</translation>
     </message>
@@ -16929,6 +17441,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>well-formed XML</source>
         <translation>du XML bien formé</translation>
+    </message>
+    <message>
+        <source>what = &quot;%1&quot;</source>
+        <translation>what = &quot;%1&quot;</translation>
     </message>
     <message>
         <source>what the motion moves</source>

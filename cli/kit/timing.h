@@ -16,6 +16,7 @@ class Timing {
   void add(Clock::time_point begin) {
     durations_us_.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
   }
+  void addMicroseconds(double duration) { durations_us_.push_back(duration); }
   /// `median_us`, `p99_us` (nearest rank), `max_us`; zeros where nothing was timed.
   nlohmann::ordered_json toJson() const;
 

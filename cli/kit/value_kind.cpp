@@ -22,6 +22,8 @@ std::span<const ValueWords> valueKinds() {
        {"htraj", "json", "csv", "yaml", "yml", "src", "mod", "modx", "prg", "ls", "script", "urscript", "jbi"}},
       {ValueKind::kExercise, "EXERCISE", {"hexercise"}},
       {ValueKind::kResults, "RESULTS", {"htrain"}},
+      {ValueKind::kStudy, "STUDY", {"hstudy"}},
+      {ValueKind::kStudyResults, "RESULTS", {"hresults"}},
       {ValueKind::kTable, "CSV", {"csv"}},
       {ValueKind::kJson, "JSON", {"json"}},
       {ValueKind::kToml, "TOML", {"toml"}},

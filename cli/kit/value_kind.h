@@ -18,6 +18,8 @@ enum class ValueKind {
   kMotion,
   kExercise,
   kResults,
+  kStudy,
+  kStudyResults,
   kTable,
   kJson,
   kToml,

@@ -9,7 +9,7 @@
 
 #include "cli/kit/motion_options.h"
 #include "cli/kit/timing.h"
-#include "cli/mannequin/hand_targets.h"
+#include "manipulation/checks/hand_targets.h"
 #include "mannequin/body/figure.h"
 #include "mannequin/body/joint_limits.h"
 #include "mannequin/motion/motion_writer.h"
@@ -26,6 +26,8 @@ namespace {
 
 using nlohmann::ordered_json;
 using namespace mannequin;
+using manipulation::HandTargets;
+using manipulation::readHandTargets;
 
 struct MannequinOptions {
   std::string sex = "male";

@@ -8,6 +8,7 @@
 #include "cli/kit/result_writer.h"
 #include "cli/kit/robot_options.h"
 #include "cli/kit/timing.h"
+#include "cli/robot/free_inverse.h"
 #include "cli/robot/robot_commands.h"
 #include "kinematics/closed_form/inverse_factory.h"
 #include "kinematics/model/solution_list.h"
@@ -29,6 +30,7 @@ struct InverseOptions {
   bool all = false;
   bool turns_once = false;
   bool fail_on_limit = false;
+  FreeInverseOptions free;
 };
 
 Expected<std::vector<double>> readStart(const InverseOptions& options, const RobotWithTip& robot) {
@@ -109,7 +111,18 @@ struct Answer {
   bool all_solved = true;
 };
 
+/// `timing`, with `per_second`: poses answered in a second.
+ordered_json timingWithRate(const Timing& timing, std::size_t poses, double seconds) {
+  ordered_json json = timing.toJson();
+  json["per_second"] = seconds > 0.0 ? static_cast<double>(poses) / seconds : 0.0;
+  return json;
+}
+
 Expected<Answer> solve(const InverseOptions& options) {
+  if (options.robot.empty())
+    return makeError({.place = "--robot",
+                      .found = "no robot",
+                      .expected = "a robot's file or library:NAME, or --collision-free with --workcell and --entity"});
   auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
   HAPTICELL_TRY(robot);
   HAPTICELL_TRY(addExternalAxes(options.axes, *robot));
@@ -127,6 +140,7 @@ Expected<Answer> solve(const InverseOptions& options) {
   Timing timing;
   timing.reserve(poses->size());
   std::vector<double> previous = *start;
+  const auto all_begin = Timing::Clock::now();
   for (const Pose& X_BT : *poses) {
     const auto begin = Timing::Clock::now();
     const kinematics::InverseSolution solution = (*inverse)->solve(X_BT, previous);
@@ -146,16 +160,26 @@ Expected<Answer> solve(const InverseOptions& options) {
     answer.all_solved = answer.all_solved && solution.status == kinematics::InverseStatus::kSolved;
     previous = solution.q;
   }
+  const double seconds = std::chrono::duration<double>(Timing::Clock::now() - all_begin).count();
   answer.document = {
       {"root", robot->model.links[0].name}, {"tip", robot->model.links[static_cast<std::size_t>(robot->tip)].name},
       {"joint_names", robot->jointNames()}, {"inverse_model", (*inverse)->name()},
-      {"results", std::move(results)},      {"timing", timing.toJson()}};
+      {"results", std::move(results)},      {"timing", timingWithRate(timing, poses->size(), seconds)}};
   if (!warnings.empty()) answer.document["warnings"] = warnings;
   return answer;
 }
 
+Expected<Answer> solveAsked(const InverseOptions& options) {
+  if (!options.free.asked) return solve(options);
+  FreeInverseOptions free = options.free;
+  free.all = options.all;
+  auto answer = solveFree(free, options.poses);
+  HAPTICELL_TRY(answer);
+  return Answer{std::move(answer->document), answer->all_solved};
+}
+
 ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
-  const auto answer = solve(options);
+  const auto answer = solveAsked(options);
   const auto written = answer ? writer.write(answer->document) : Expected<void>(tl::unexpected<Error>(answer.error()));
   if (!written) {
     report(written.error());
@@ -170,7 +194,7 @@ void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
   Subcommand command =
       app.add("ik", "Compute joint positions that bring a robot's tip to poses, each closest to the one before");
   const auto options = std::make_shared<InverseOptions>();
-  command.option("--robot", options->robot, "Robot: a file, or library:NAME").takes(ValueKind::kRobot).required();
+  command.option("--robot", options->robot, "Robot: a file, or library:NAME").takes(ValueKind::kRobot);
   command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
       .takes(ValueKind::kTable)
       .required();
@@ -185,6 +209,7 @@ void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
                  "Joint positions before the first pose, separated by commas, base first (default: zeros)");
   command.flag("--all", options->all, "List all solutions of each pose, including full turns within the limits");
   command.flag("--turns-once", options->turns_once, "With --all: list each solution only with its closest turns");
+  addFreeInverse(command, options->free);
   command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 if a pose is not solved");
   command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/mannequin/hand_targets.h"
+#include "manipulation/checks/hand_targets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "geometry/system/regular_file.h"
 #include "trajectory/motion/csv_table.h"
 
-namespace hapticell::cli {
+namespace hapticell::manipulation {
 
 namespace {
 
@@ -126,4 +126,4 @@ Expected<std::vector<HandTargets>> readHandTargets(const std::filesystem::path& 
   return TargetReader(file).read();
 }
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::manipulation

@@ -9,7 +9,7 @@
 #include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
 
-namespace hapticell::cli {
+namespace hapticell::manipulation {
 
 /// Where the hands of a mannequin are wanted at one step.
 struct HandTargets {
@@ -22,4 +22,4 @@ struct HandTargets {
 /// and column; so is a hand refused that a step names twice.
 Expected<std::vector<HandTargets>> readHandTargets(const std::filesystem::path& file);
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::manipulation
