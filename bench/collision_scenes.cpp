@@ -194,17 +194,29 @@ Chain makeChain(int steps) {
     chain.links.push_back(std::move(link));
   }
   for (int step = 0; step < steps; ++step) {
-    std::vector<Pose> poses;
-    Pose X = {};
+    std::vector<double> angles;
     for (int i = 0; i < kLinks; ++i) {
-      const double angle = kTurn * 30.0 * std::sin(step / 30.0 + 1.3 * i);
-      X = X * Pose{{0, 0, i == 0 ? 0.0 : 0.26},
-                   quaternionFromRotationVector(i % 2 == 0 ? dvec3(0, 0, angle * 3.0) : dvec3(0, angle, 0))};
-      poses.push_back(X);
+      angles.push_back((i % 2 == 0 ? 3.0 : 1.0) * kTurn * 30.0 * std::sin(step / 30.0 + 1.3 * i));
     }
-    chain.X_WL.push_back(std::move(poses));
+    chain.X_WL.push_back(chainPoses(angles));
   }
   return chain;
+}
+
+Pose chainJoint(std::size_t link, double angle) {
+  const double cosine = std::cos(0.5 * angle), sine = std::sin(0.5 * angle);
+  const dquat turn = link % 2 == 0 ? dquat(cosine, 0, 0, sine) : dquat(cosine, 0, sine, 0);
+  return {{0, 0, link == 0 ? 0.0 : 0.26}, turn};
+}
+
+std::vector<Pose> chainPoses(const std::vector<double>& angles) {
+  std::vector<Pose> poses;
+  Pose X = {};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    X = X * chainJoint(i, angles[i]);
+    poses.push_back(X);
+  }
+  return poses;
 }
 
 std::vector<PlacedPart> partsAround(const Chain& chain, int parts, int triangles) {

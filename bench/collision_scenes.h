@@ -42,6 +42,11 @@ struct Chain {
 };
 Chain makeChain(int steps);
 
+/// A link in the frame of the one before (the first: in the world), turned by `angle` (rad).
+Pose chainJoint(std::size_t link, double angle);
+/// The poses of its links, a joint's angle (rad) each.
+std::vector<Pose> chainPoses(const std::vector<double>& angles);
+
 /// A standing part of the cell.
 struct PlacedPart {
   geometry::TriangleMesh mesh;

@@ -69,9 +69,12 @@ struct FclGroup::Objects {
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> moved, standing;
   fcl::DynamicAABBTreeCollisionManagerd moved_tree, standing_tree;
 
-  static std::unique_ptr<fcl::CollisionObjectd> object(const geometry::TriangleMesh& mesh, const Pose& X) {
+  static std::shared_ptr<Model> modelOf(const geometry::TriangleMesh& mesh) {
     auto model = std::make_shared<Model>();
     fill(*model, mesh);
+    return model;
+  }
+  static std::unique_ptr<fcl::CollisionObjectd> object(const std::shared_ptr<Model>& model, const Pose& X) {
     auto result = std::make_unique<fcl::CollisionObjectd>(model, transformOf(X));
     result->computeAABB();
     return result;
@@ -81,9 +84,11 @@ struct FclGroup::Objects {
 FclGroup::FclGroup(const std::vector<geometry::TriangleMesh>& moved,
                    const std::vector<geometry::TriangleMesh>& standing, const std::vector<Pose>& X_WStanding)
     : objects_(std::make_unique<Objects>()) {
-  for (const auto& mesh : moved) objects_->moved.push_back(Objects::object(mesh, {}));
-  for (std::size_t i = 0; i < standing.size(); ++i) {
-    objects_->standing.push_back(Objects::object(standing[i], X_WStanding[i]));
+  for (const auto& mesh : moved) objects_->moved.push_back(Objects::object(Objects::modelOf(mesh), {}));
+  std::shared_ptr<Model> model;
+  for (std::size_t i = 0; i < X_WStanding.size(); ++i) {
+    if (i < standing.size()) model = Objects::modelOf(standing[i]);
+    objects_->standing.push_back(Objects::object(model, X_WStanding[i]));
   }
   for (const auto& object : objects_->moved) objects_->moved_tree.registerObject(object.get());
   for (const auto& object : objects_->standing) objects_->standing_tree.registerObject(object.get());
@@ -93,16 +98,27 @@ FclGroup::FclGroup(const std::vector<geometry::TriangleMesh>& moved,
 
 FclGroup::~FclGroup() = default;
 
-double FclGroup::distance(const std::vector<Pose>& X_WMoved) {
+void FclGroup::place(const std::vector<Pose>& X_WMoved) {
   for (std::size_t i = 0; i < X_WMoved.size(); ++i) {
     objects_->moved[i]->setTransform(transformOf(X_WMoved[i]));
     objects_->moved[i]->computeAABB();
   }
   objects_->moved_tree.update();
+}
+
+double FclGroup::distance(const std::vector<Pose>& X_WMoved) {
+  place(X_WMoved);
   fcl::DefaultDistanceData<double> data;
   data.request.enable_nearest_points = true;
   objects_->moved_tree.distance(&objects_->standing_tree, &data, fcl::DefaultDistanceFunction);
   return data.result.min_distance;
+}
+
+bool FclGroup::collides(const std::vector<Pose>& X_WMoved) {
+  place(X_WMoved);
+  fcl::DefaultCollisionData<double> data;
+  objects_->moved_tree.collide(&objects_->standing_tree, &data, fcl::DefaultCollisionFunction);
+  return data.result.isCollision();
 }
 
 }  // namespace hapticell::bench

@@ -23,15 +23,18 @@ class FclPeer {
   std::unique_ptr<Models> models_;
 };
 
-/// Its least distance of a group to another: two trees of boxes about the objects (dynamic AABB trees).
+/// Its least distance of a group to another, and whether they collide: two trees of boxes about the objects (dynamic AABB
+/// trees). `standing` is a mesh for each pose, or one for all.
 class FclGroup {
  public:
   FclGroup(const std::vector<geometry::TriangleMesh>& moved, const std::vector<geometry::TriangleMesh>& standing,
            const std::vector<Pose>& X_WStanding);
   ~FclGroup();
   double distance(const std::vector<Pose>& X_WMoved);
+  bool collides(const std::vector<Pose>& X_WMoved);
 
  private:
+  void place(const std::vector<Pose>& X_WMoved);
   struct Objects;
   std::unique_ptr<Objects> objects_;
 };

@@ -14,6 +14,17 @@ double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, doub
   return shift + 2.0 * radius * half_sine;
 }
 
+MotionLever leverOf(const MeshCollider& a, const MeshCollider& b) {
+  const bool is_a = a.radius() < b.radius();
+  const MeshCollider& smaller = is_a ? a : b;
+  return {smaller.center(), smaller.radius(), is_a};
+}
+
+double motionBound(const MotionLever& lever, const Pose& X_AB0, const Pose& X_AB1) {
+  return lever.is_a ? motionBound(X_AB0.inverse(), X_AB1.inverse(), lever.p, lever.radius)
+                    : motionBound(X_AB0, X_AB1, lever.p, lever.radius);
+}
+
 double pathBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
   const Twist whole = difference(X_WB1, X_WB0);
   const double angle = glm::length(whole.angular);

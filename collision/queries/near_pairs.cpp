@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "collision/queries/motion_bound.h"
-
 namespace hapticell::collision {
 
 namespace {
@@ -19,8 +17,7 @@ constexpr double kWidest = 0.02;
 }  // namespace
 
 bool NearPairs::fill(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius) {
-  p_BS_ = b.center();
-  sphere_ = b.radius();
+  lever_ = leverOf(a, b);
   radius_ = -1.0;
   pairs_.clear();
   pairs_.reserve(kMost);
@@ -35,7 +32,7 @@ bool NearPairs::fill(const MeshCollider& a, const MeshCollider& b, const Pose& X
 }
 
 double NearPairs::movedSince(const Pose& X_AB) const {
-  return motionBound(X_AB_, X_AB, p_BS_, sphere_);
+  return motionBound(lever_, X_AB_, X_AB);
 }
 
 double NearPairs::reachAt(const Pose& X_AB) const {

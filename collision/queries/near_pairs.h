@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/queries/mesh_search.h"
+#include "collision/queries/motion_bound.h"
 
 namespace hapticell::collision {
 
@@ -30,7 +31,7 @@ class NearPairs {
 
   /// With B at X_AB every pair that is not listed is at least this far apart (m); negative: unknown.
   double reachAt(const Pose& X_AB) const;
-  /// How far (m) any point of B has moved at most, seen from A, since the pairs were listed.
+  /// By how much (m) any distance between A and B has changed at most since the pairs were listed.
   double movedSince(const Pose& X_AB) const;
 
   /// The pairs, with their distances at the time of listing. Valid only if reachAt() is not negative.
@@ -39,8 +40,7 @@ class NearPairs {
  private:
   std::vector<TrianglePair> pairs_;
   Pose X_AB_;
-  dvec3 p_BS_{0.0};
-  double sphere_ = 0.0;   ///< Radius of B's bounding sphere.
+  MotionLever lever_;
   double radius_ = -1.0;  ///< The list is complete up to this radius.
   double likely_ = 0.02;
 };

@@ -26,12 +26,62 @@ NearestSearch::NearestSearch(const MeshCollider& a, const MeshCollider& b, const
   }
 }
 
-void NearestSearch::run(const TriangleIndices& warm) {
+void NearestSearch::run(const TriangleIndices& warm, StepPairs* list) {
+  list_ = list;
+  slack_ = list == nullptr ? 0.0 : list->begin();
+  if (slack_ == 0.0) list_ = nullptr;
+  if (list_ != nullptr && found_) {  // What was found before is a bound, but without the slack.
+    prune_squared_ = static_cast<float>(demand_.limit * demand_.limit);
+    pruneFrom(std::sqrt(best_.squared));
+  }
   tryPair(warm);
-  if (done_) return;
-  DualTraversal<NearestSearch> traversal(a_.tree(), b_.tree(), X_AB_, *this);
-  traversal.run();
-  flush();
+  if (!done_) {
+    DualTraversal<NearestSearch> traversal(a_.tree(), b_.tree(), X_AB_, *this);
+    traversal.run();
+    flush();
+  }
+  if (list_ == nullptr) return;
+  // Less than the float by which the trees were searched.
+  constexpr double kRounded = 1.0 - 1e-6;
+  if (done_ || !found_)
+    stopCollecting();
+  else
+    list_->finish(kRounded * std::sqrt(static_cast<double>(prune_squared_)));
+}
+
+void NearestSearch::runListed(const StepPairs& list) {
+  const double moved = list.movedSince(X_AB_);
+  TriangleIndices batch[kTreeWidth];
+  int count = 0;
+  const std::span<const StepPairs::Pair> pairs = list.pairs();
+  for (std::size_t k = 0; k < pairs.size() && !done_; ++k) {
+    const double least = (1.0 - 1e-6) * static_cast<double>(pairs[k].least) - moved;  // It is a float.
+    const bool is_last = least > 0.0 && least * least >= best_.squared;
+    if (!is_last) batch[count++] = pairs[k].pair;
+    // The first one is probably the nearest, and a bound for the others.
+    if (count > 0 && (count == kTreeWidth || is_last || k == 0 || k + 1 == pairs.size())) {
+      tryExactly(batch, count);
+      count = 0;
+    }
+    if (is_last) return;
+  }
+}
+
+void NearestSearch::stopCollecting() {
+  list_->giveUp();
+  list_ = nullptr;
+  slack_ = 0.0;
+  if (found_) pruneFrom(std::sqrt(best_.squared));
+}
+
+/// Of the measured pairs what is near enough.
+void NearestSearch::collect(int count) {
+  for (int lane = 0; lane < count; ++lane) {
+    const float squared = distances_.squared[lane] - distances_.doubt[lane];
+    if (squared > prune_squared_) continue;
+    if (list_->add(packed_pair_[lane], std::sqrt(std::max(squared, 0.0F)))) continue;
+    return stopCollecting();
+  }
 }
 
 Corners NearestSearch::cornersA(std::uint32_t triangle) const {
@@ -47,7 +97,8 @@ Corners NearestSearch::cornersB(std::uint32_t triangle) const {
 void NearestSearch::pruneFrom(double distance) {
   double prune = std::max(distance - kNegligible, 0.0);
   if (prune > demand_.exact_within) prune = std::max(demand_.exact_within, prune / (1.0 + demand_.tolerance));
-  prune_squared_ = static_cast<float>(prune * prune);
+  prune += slack_;
+  prune_squared_ = std::min(prune_squared_, static_cast<float>(prune * prune));
 }
 
 void NearestSearch::tryPair(const TriangleIndices& pair) {
@@ -67,7 +118,7 @@ void NearestSearch::leafPair(const TraversalBox&, const TraversalBox&, const Lea
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(near));
     const std::uint32_t i = bit % kLeafSize, j = bit / kLeafSize;
     const TriangleIndices pair{leaf_a.triangle[i], leaf_b.triangle[j]};
-    if (pair == pair_ && found_) continue;
+    if (pair == pair_ && found_ && list_ == nullptr) continue;
     for (int k = 0; k < 9; ++k) {
       pack_.first[k][packed_] = leaf_a.corner[k][i];
       pack_.second[k][packed_] = corners_b[k][j];
@@ -87,6 +138,7 @@ void NearestSearch::flush() {
   const int count = packed_;
   packed_ = 0;
   proximityKernels().packedDistances(pack_, distances_);
+  if (list_ != nullptr) collect(count);
   const auto mayImprove = [&](int lane) {
     return distances_.squared[lane] - distances_.doubt[lane] < static_cast<float>(best_.squared);
   };
@@ -109,21 +161,21 @@ void NearestSearch::flush() {
 }
 
 void NearestSearch::tryTies(std::uint32_t lanes) {
-  int batch[kTreeWidth];
+  TriangleIndices batch[kTreeWidth];
   int count = 0;
   for (; lanes != 0 && !done_; lanes &= lanes - 1) {
-    batch[count++] = std::countr_zero(lanes);
+    batch[count++] = packed_pair_[std::countr_zero(lanes)];
     if (count < kTreeWidth && (lanes & (lanes - 1)) != 0) continue;
     tryExactly(batch, count);
     count = 0;
   }
 }
 
-void NearestSearch::tryExactly(const int* lanes, int count) {
-  if (count == 1) return tryPair(packed_pair_[lanes[0]]);
+void NearestSearch::tryExactly(const TriangleIndices* tried, int count) {
+  if (count == 1) return tryPair(tried[0]);
   ExactPairs pairs;
   for (int lane = 0; lane < kTreeWidth; ++lane) {
-    const TriangleIndices& pair = packed_pair_[lanes[std::min(lane, count - 1)]];
+    const TriangleIndices& pair = tried[std::min(lane, count - 1)];
     const Corners first = cornersA(pair.a), second = cornersB(pair.b);
     for (std::size_t c = 0; c < 3; ++c) {
       for (int i = 0; i < 3; ++i) {
@@ -135,7 +187,7 @@ void NearestSearch::tryExactly(const int* lanes, int count) {
   double squared[kTreeWidth];
   proximityKernels().exactDistances(pairs, squared);
   const int nearest = static_cast<int>(std::min_element(squared, squared + count) - squared);
-  if (squared[nearest] < best_.squared * (1.0 - kTieShare)) tryPair(packed_pair_[lanes[nearest]]);
+  if (squared[nearest] < best_.squared * (1.0 - kTieShare)) tryPair(tried[nearest]);
 }
 
 }  // namespace hapticell::collision

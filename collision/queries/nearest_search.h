@@ -7,6 +7,7 @@
 #include "collision/trees/dual_traversal.h"
 #include "collision/trees/mesh_collider.h"
 #include "collision/trees/triangle_distance.h"
+#include "collision/queries/step_pairs.h"
 #include "collision/queries/triangle_pairs.h"
 
 namespace hapticell::collision {
@@ -26,8 +27,12 @@ class NearestSearch {
  public:
   NearestSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const SearchDemand& demand);
 
+  /// Measures the listed pairs only: the answer is exact if it is not farther than the list reaches.
+  void runListed(const StepPairs& list);
   /// Measures the pair `warm`, which is probably near, then searches the trees.
-  void run(const TriangleIndices& warm);
+  void run(const TriangleIndices& warm) { run(warm, nullptr); }
+  /// The same, and lists what it passes close by; `list` may be null.
+  void run(const TriangleIndices& warm, StepPairs* list);
 
   bool isFound() const { return found_; }
   const NearestPair& best() const { return best_; }
@@ -49,10 +54,14 @@ class NearestSearch {
  private:
   void pruneFrom(double distance);
   void tryTies(std::uint32_t lanes);
-  void tryExactly(const int* lanes, int count);
+  void tryExactly(const TriangleIndices* tried, int count);
+  void collect(int count);
+  void stopCollecting();
 
   const MeshCollider& a_;
   const MeshCollider& b_;
+  StepPairs* list_ = nullptr;  ///< While it collects,
+  double slack_ = 0.0;         ///< so far beyond the nearest (m).
   dmat3 R_AB_;
   dvec3 p_AB_;
   Pose X_AB_;

@@ -94,15 +94,15 @@ struct Certificate {
   double distance;
 };
 
-/// No surface of B (within `radius` of its `p_BS`) was crossed on the way from one to the other: every place between is
+/// No surface was crossed on the way from one to the other: every place between is
 /// nearer to one end than what is free there. An arc is longer than its chord by a seventieth at most where the turn is
 /// small.
-bool staysApart(const Certificate& from, const Certificate& to, const dvec3& p_BS, double radius) {
+bool staysApart(const Certificate& from, const Certificate& to, const MotionLever& lever) {
   // Cosine of half of the turn: 0.57 rad, at which an arc is longer than its chord by a seventieth (0.284 / sin 0.284).
   // A smaller turn would certify less, a larger one needs a larger share.
   constexpr double kSmallTurn = 0.96;
   constexpr double kArcOverChord = 1.0 + 1.0 / 70.0;
-  const double motion = motionBound(from.X_AB, to.X_AB, p_BS, radius);
+  const double motion = motionBound(lever, from.X_AB, to.X_AB);
   if (motion < from.distance) return true;
   const bool small = std::abs(glm::dot(from.X_AB.q, to.X_AB.q)) > kSmallTurn;
   return small && kArcOverChord * motion < from.distance + to.distance;
@@ -113,6 +113,8 @@ bool staysApart(const Certificate& from, const Certificate& to, const dvec3& p_B
 ProximityQuery::ProximityQuery(std::shared_ptr<const MeshCollider> a, std::shared_ptr<const MeshCollider> b)
     : a_(std::move(a)), b_(std::move(b)) {
   HAPTICELL_DEMAND(a_ && b_);
+  lever_ = leverOf(*a_, *b_);
+  steps_ = StepPairs(lever_);
   if (a_->isEmpty() || b_->isEmpty()) return;
   last_ = {a_->tree().leaves().front().triangle[0], b_->tree().leaves().front().triangle[0]};
 }
@@ -120,7 +122,7 @@ ProximityQuery::ProximityQuery(std::shared_ptr<const MeshCollider> a, std::share
 bool ProximityQuery::isContained(const Pose& X_AB, double surface_distance) {
   if (!a_->shells().anyClosed() && !b_->shells().anyClosed()) return false;
   if (!(certified_distance_ >= 0.0 &&
-        staysApart({certified_X_AB_, certified_distance_}, {X_AB, surface_distance}, b_->center(), b_->radius()))) {
+        staysApart({certified_X_AB_, certified_distance_}, {X_AB, surface_distance}, lever_))) {
     dvec3 ignored;
     certified_contained_ = pieceInside(*a_, *b_, X_AB.inverse(), ignored) || pieceInside(*b_, *a_, X_AB, ignored);
   }
@@ -143,7 +145,10 @@ DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, cons
   demand.tolerance = demanded.tolerance;
   if (limit < std::numeric_limits<double>::infinity()) demand.limit = std::max(limit, 2.0 * kTouchingDistance);
   NearestSearch search(*a_, *b_, X_AB, demand);
-  search.run(last_);
+  const double reach = steps_.come(X_AB);
+  if (reach > 0.0) search.runListed(steps_);
+  const bool is_known = demand.limit <= reach || (search.isFound() && search.best().squared <= reach * reach);
+  if (reach <= 0.0 || !is_known) search.run(last_, &steps_);
   if (search.isFound()) last_ = search.pair();
   DistanceResult result = search.isFound() ? resultOf(search, X_WA) : beyond(limit);
   if (!result.colliding && result.distance >= limit) result = beyond(limit);
@@ -189,7 +194,10 @@ bool ProximityQuery::within(const Pose& X_WA, const Pose& X_WB, double margin) {
   demand.enough = std::max(margin, kTouchingDistance);
   demand.limit = demand.enough * (1.0 + 1e-12);
   NearestSearch search(*a_, *b_, X_AB, demand);
-  search.run(last_);
+  if (steps_.reachAt(X_AB) >= demand.limit)
+    search.runListed(steps_);
+  else
+    search.run(last_);
   if (search.isFound()) {
     last_ = search.pair();
     return true;

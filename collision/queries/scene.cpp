@@ -4,75 +4,206 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/queries/motion_bound.h"
 #include "geometry/system/assertion.h"
 
 namespace hapticell::collision {
 
+namespace {
+
+/// m of way after which a part's count begins anew: up to there its rounding is below kRounding a step. Half and twice
+/// as well.
+constexpr double kLongestWay = 4e4;
+/// Steps that collides() looks ahead, so that it need not look again for as many. Half: looks twice as often; twice:
+/// more pairs are near, and are searched for it.
+constexpr double kStepsAhead = 8.0;
+/// Of a part's radius: a longer step than the first belongs to no motion (unrelated poses), and looks no farther than
+/// the second. Half: fast motions are not foreseen; twice: unrelated poses are searched more widely.
+constexpr double kLongStep = 0.06, kFarLook = 0.3;
+/// m: looks at least so far where parts rest or move slowly. Half: looks more often in a slow hand; twice: more pairs
+/// are near.
+constexpr double kLeastLook = 1e-3;
+/// By which the first search for the nearest widens when it finds nothing. Half: more searches; twice: more pairs.
+constexpr double kWiden = 4.0;
+
+}  // namespace
+
 PartIndex Scene::addPart(const PartKey& key, std::shared_ptr<const MeshCollider> collider, const Pose& X_WP) {
   HAPTICELL_DEMAND(collider != nullptr);
-  auto unused = std::find_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.collider == nullptr; });
-  if (unused == parts_.end()) unused = parts_.insert(parts_.end(), Part{});
-  unused->key = key;
-  unused->collider = std::move(collider);
-  place(*unused, X_WP);
-  return static_cast<PartIndex>(unused - parts_.begin());
+  auto index = static_cast<PartIndex>(parts_.size());
+  if (unused_.empty()) {
+    parts_.emplace_back();
+    swept_of_.push_back(0);
+  } else {
+    index = unused_.back();
+    unused_.pop_back();
+  }
+  Part& part = parts_[index];
+  part.key = key;
+  part.X_WP = X_WP;
+  part.at = placedBounds(*collider, X_WP);
+  part.empty = collider->isEmpty();
+  part.collider = std::move(collider);
+  return index;
 }
 
 void Scene::removePart(PartIndex part) {
   parts_[part] = {};
-  std::erase_if(pairs_, [&](const Pair& pair) { return pair.moved == part || pair.environment == part; });
+  tree_.remove(part);
+  pairs_.removePart(part);
+  unused_.push_back(part);
 }
 
 void Scene::setPose(PartIndex part, const Pose& X_WP) {
-  place(parts_[part], X_WP);
+  travel(part, X_WP);
+  parts_[part].X_WP = X_WP;
+  parts_[part].at = placedBounds(*parts_[part].collider, X_WP);
+  if (tree_.contains(part)) tree_.place(part, parts_[part].at.box_W());
 }
 
-void Scene::place(Part& part, const Pose& X_WP) {
-  part.X_WP = X_WP;
-  part.center_W = X_WP * part.collider->center();
-  if (!part.collider->isEmpty())
-    part.root_W = collision::moved(X_WP.R(), X_WP.p, part.collider->tree().box(BoxTree::kRoot));
+void Scene::travel(PartIndex index, const Pose& X_WP) {
+  Part& part = parts_[index];
+  const double step = motionBound(part.X_WP, X_WP, part.collider->center(), part.at.radius) + kRounding;
+  part.travelled += step;
+  if (part.travelled > kLongestWay) {
+    part.travelled = part.asked_at = 0.0;
+    forgetQuiet(index);
+    pairs_.forgetDistances(index);
+  }
+  if (!pairs_.isSought(index)) return;
+  if (part.round != round_) part.way_of_round = 0.0;
+  part.round = round_;
+  part.way_of_round += step;
+  sought_way_of_round_ = std::max(sought_way_of_round_, part.way_of_round);
+}
+
+void Scene::beginQuery() {
+  ++round_;
+  ++pass_;
+  sought_way_ += sought_way_of_round_;
+  sought_step_ = sought_way_of_round_;
+  sought_way_of_round_ = 0.0;
+  if (sought_way_ < kLongestWay) return;
+  sought_way_ = 0.0;
+  for (const PartIndex part : pairs_.seekers()) forgetQuiet(part);
+}
+
+void Scene::keepInTree(PartIndex part) {
+  forgetQuiet(part);
+  if (!parts_[part].empty && pairs_.isSought(part)) tree_.place(part, parts_[part].at.box_W());
 }
 
 PairIndex Scene::addPair(PartIndex moved, PartIndex environment, std::uint32_t tag) {
   HAPTICELL_DEMAND(moved != environment && parts_[moved].collider && parts_[environment].collider);
-  pairs_.push_back(
-      {moved, environment, tag, true, ProximityQuery(parts_[moved].collider, parts_[environment].collider)});
-  candidates_.reserve(pairs_.size());
-  return static_cast<PairIndex>(pairs_.size() - 1);
+  const PairIndex pair = pairs_.add(moved, environment, tag);
+  keepInTree(moved);
+  keepInTree(environment);
+  return pair;
+}
+
+void Scene::addPairs(std::span<const PartIndex> moved, std::span<const PartIndex> environment, std::uint32_t tag) {
+  for (const auto& side : {moved, environment}) {
+    for (const PartIndex part : side) HAPTICELL_DEMAND(parts_[part].collider);
+  }
+  pairs_.addSet(moved, environment, tag);
+  for (const auto& side : {moved, environment}) {
+    for (const PartIndex part : side) keepInTree(part);
+  }
 }
 
 void Scene::clearPairs() {
   pairs_.clear();
+  tree_ = {};
 }
 
-double Scene::lowerBound(const Pair& pair) const {
-  const Part &a = parts_[pair.moved], &b = parts_[pair.environment];
-  if (a.collider->isEmpty() || b.collider->isEmpty()) return std::numeric_limits<double>::infinity();
-  const double spheres = glm::distance(a.center_W, b.center_W) - a.collider->radius() - b.collider->radius();
-  return std::max(spheres, std::sqrt(lowerBoundSquared(a.root_W, b.root_W)));
+std::optional<PairIndex> Scene::pairOf(PartIndex a, PartIndex b) {
+  const PairIndex pair = pairs_.find(a, b);
+  return pair == ScenePairs::kNone ? std::nullopt : std::optional(pair);
 }
 
-const std::vector<Scene::Candidate>& Scene::candidatesWithin(double margin) {
+void Scene::setEnabled(PairIndex pair, bool enabled) {
+  pairs_[pair].enabled = enabled;
+  forgetQuiet(pairs_[pair].moved);
+  forgetQuiet(pairs_[pair].environment);
+}
+
+double Scene::way(const ScenePairs::Pair& pair) const {
+  return parts_[pair.moved].travelled + parts_[pair.environment].travelled;
+}
+
+ProximityQuery& Scene::queryOf(ScenePairs::Pair& pair) {
+  if (!pair.query) {
+    pair.query = std::make_unique<ProximityQuery>(parts_[pair.moved].collider, parts_[pair.environment].collider);
+  }
+  return *pair.query;
+}
+
+DistanceResult Scene::query(PairIndex index, const DistanceDemand& demand) {
+  ScenePairs::Pair& pair = pairs_[index];
+  const DistanceResult result =
+      queryOf(pair).distance(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP, demand);
+  const bool exact = result.beyond_limit || result.distance <= demand.exact_within;
+  certify(pair, exact ? result.distance : result.distance / (1.0 + demand.tolerance));
+  return result;
+}
+
+DistanceResult Scene::distance(PairIndex pair, double limit) {
+  return query(pair, DistanceDemand{limit});
+}
+
+/// Every pair that may be nearer than the margin, nearest bounds first.
+void Scene::gather(double margin) {
   candidates_.clear();
-  for (PairIndex i = 0; i < pairs_.size(); ++i) {
-    if (!pairs_[i].enabled) continue;
-    const double bound = lowerBound(pairs_[i]);
-    if (bound < margin) candidates_.push_back({bound, i});
+  ++pass_;
+  for (const PartIndex seeker : pairs_.seekers()) {
+    const Part& part = parts_[seeker];
+    if (part.empty || part.quiet_until - part.travelled - sought_way_ >= margin) continue;
+    tree_.visitNear(part.at.box_W(), margin, [&](PartIndex other) {
+      const double spheres = sphereGap(part.at, parts_[other].at);
+      if (spheres >= margin) return;
+      const PairIndex index = pairs_.find(seeker, other);
+      if (index == ScenePairs::kNone) return;
+      ScenePairs::Pair& pair = pairs_[index];
+      if (!pair.enabled || pair.seen == pass_) return;
+      pair.seen = pass_;
+      const double known = std::max(spheres, pair.apart_until - way(pair));
+      if (known >= margin) return;
+      const double bound = std::max(known, boxGap(part.at, parts_[other].at));
+      if (bound < margin) candidates_.push_back({bound, index});
+    });
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
     return a.lower_bound != b.lower_bound ? a.lower_bound < b.lower_bound : a.pair < b.pair;
   });
-  return candidates_;
 }
 
-DistanceResult Scene::query(PairIndex pair, double limit) {
-  Pair& p = pairs_[pair];
-  return p.query.distance(parts_[p.moved].X_WP, parts_[p.environment].X_WP, limit);
+void Scene::measure(PairIndex index, DistanceDemand& left, std::optional<PairDistance>& best) {
+  const DistanceResult result = query(index, left);
+  if (result.beyond_limit) return;
+  best = PairDistance{index, result};
+  // Far away only what is nearer by more than the tolerance is worth looking for.
+  left.limit = result.distance <= left.exact_within
+                   ? result.distance
+                   : std::max(left.exact_within, result.distance / (1.0 + left.tolerance));
 }
 
-DistanceResult Scene::distance(PairIndex pair, double limit) {
-  return query(pair, limit);
+void Scene::searchNearest(double margin, DistanceDemand& left, std::optional<PairDistance>& best) {
+  left.limit = std::min(left.limit, margin);
+  gather(left.limit);
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.lower_bound >= left.limit || (best && best->result.colliding)) return;
+    if (best && best->pair == candidate.pair) continue;
+    measure(candidate.pair, left, best);
+  }
+}
+
+/// Around all parts that have a pair, m.
+double Scene::extent() const {
+  geometry::Bounds all = tree_.bounds();
+  for (const PartIndex part : pairs_.seekers()) {
+    if (!parts_[part].empty) all.add(parts_[part].at.box_W());
+  }
+  return 2.0 * all.radius();
 }
 
 std::optional<PairDistance> Scene::nearest(double limit) {
@@ -80,93 +211,115 @@ std::optional<PairDistance> Scene::nearest(double limit) {
 }
 
 std::optional<PairDistance> Scene::nearest(const DistanceDemand& demand) {
+  beginQuery();
   std::optional<PairDistance> best;
+  if (tree_.size() == 0) return best;
   DistanceDemand left = demand;
-  for (const Candidate& candidate : candidatesWithin(demand.limit)) {
-    if (candidate.lower_bound >= left.limit) break;
-    const Pair& pair = pairs_[candidate.pair];
-    const DistanceResult result =
-        pairs_[candidate.pair].query.distance(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP, left);
-    if (result.beyond_limit) continue;
-    best = PairDistance{candidate.pair, result};
-    // Far away only what is nearer by more than the tolerance is worth looking for.
-    left.limit = result.distance <= demand.exact_within
-                     ? result.distance
-                     : std::max(demand.exact_within, result.distance / (1.0 + demand.tolerance));
-    if (result.colliding) break;
+  // The last answer is probably near again: a bound before anything is looked for.
+  const PairIndex last = pairs_.known(nearest_of_[0], nearest_of_[1]);
+  if (last != ScenePairs::kNone && pairs_[last].enabled) measure(last, left, best);
+  if (!best && left.limit == std::numeric_limits<double>::infinity()) {
+    const double all = extent();
+    for (double margin = 0.1 * all; !best && margin < all; margin *= kWiden) {
+      DistanceDemand near = demand;
+      searchNearest(margin, near, best);
+      if (best) left = near;
+    }
+  } else if (best && best->result.colliding) {
+    return best;
+  }
+  if (!best || last != ScenePairs::kNone) searchNearest(left.limit, left, best);
+  if (best) {
+    nearest_of_[0] = pairs_[best->pair].moved;
+    nearest_of_[1] = pairs_[best->pair].environment;
   }
   return best;
 }
 
 void Scene::pairsWithin(double margin, std::vector<PairDistance>& found) {
+  beginQuery();
+  gather(margin);
   const auto before = static_cast<std::ptrdiff_t>(found.size());
-  for (const Candidate& candidate : candidatesWithin(margin)) {
-    const DistanceResult result = query(candidate.pair, margin);
+  for (const Candidate& candidate : candidates_) {
+    const DistanceResult result = query(candidate.pair, DistanceDemand{margin});
     if (!result.beyond_limit) found.push_back({candidate.pair, result});
   }
   std::sort(found.begin() + before, found.end(),
             [](const PairDistance& a, const PairDistance& b) { return a.result.distance < b.result.distance; });
 }
 
+/// How far collides() looks: a few steps ahead on a motion, nowhere where poses are unrelated.
+double Scene::lookAhead(const Part& part) const {
+  const double step = part.travelled - part.asked_at + sought_step_;
+  if (step > kLongStep * part.at.radius) return kTouchingDistance;
+  return std::max(kLeastLook, std::min(kStepsAhead * step, kFarLook * part.at.radius));
+}
+
+void Scene::suspect(PartIndex seeker, PartIndex other) {
+  const Part& part = parts_[seeker];
+  const double gap = sphereGap(part.at, parts_[other].at);
+  if (gap > part.look) return;
+  const PairIndex index = pairs_.find(seeker, other);
+  if (index == ScenePairs::kNone || !pairs_[index].enabled) return;
+  if (pairs_[index].apart_until - way(pairs_[index]) > part.look) return;
+  suspects_.push_back({gap, index, seeker});
+}
+
+void Scene::lookAround(PartIndex seeker) {
+  Part& part = parts_[seeker];
+  part.look = part.clear = lookAhead(part);
+  part.asked_at = part.travelled;
+  part.asked_in = round_;
+  tree_.visitNear(part.at.box_W(), part.look, [&](PartIndex other) { suspect(seeker, other); });
+}
+
+bool Scene::collide(ScenePairs::Pair& pair, Part& seeker) {
+  const Part &a = parts_[pair.moved], &b = parts_[pair.environment];
+  const double way_of_pair = way(pair);
+  double apart = pair.apart_until - way_of_pair;
+  if (apart <= kTouchingDistance) {
+    apart = boxGap(a.at, b.at);
+    pair.apart_until = std::max(pair.apart_until, apart + way_of_pair);
+  }
+  ProximityQuery* query = apart <= kTouchingDistance ? &queryOf(pair) : nullptr;
+  if (query != nullptr && seeker.look > kTouchingDistance && way_of_pair >= pair.near_until) {
+    if (query->within(a.X_WP, b.X_WP, seeker.look)) {
+      pair.near_until = way_of_pair + 0.5 * seeker.look;
+    } else {
+      certify(pair, seeker.look);
+      apart = pair.apart_until - way_of_pair;
+    }
+  }
+  seeker.clear = std::min(seeker.clear, std::max(0.0, apart));
+  return query != nullptr && apart <= kTouchingDistance && query->collides(a.X_WP, b.X_WP);
+}
+
 bool Scene::collides() {
-  for (const Candidate& candidate : candidatesWithin(kTouchingDistance)) {
-    Pair& pair = pairs_[candidate.pair];
-    if (pair.query.collides(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP)) return true;
+  beginQuery();
+  // What collided last probably does again.
+  const PairIndex last = pairs_.known(met_[0], met_[1]);
+  if (last != ScenePairs::kNone && pairs_[last].enabled) {
+    if (collide(pairs_[last], parts_[pairs_[last].moved])) return true;
+    met_[0] = met_[1];
+  }
+  suspects_.clear();
+  for (const PartIndex seeker : pairs_.seekers()) {
+    if (!parts_[seeker].empty && !isQuiet(parts_[seeker])) lookAround(seeker);
+  }
+  // The deepest first.
+  std::sort(suspects_.begin(), suspects_.end(), [](const Suspect& a, const Suspect& b) { return a.gap < b.gap; });
+  for (const Suspect& suspect : suspects_) {
+    ScenePairs::Pair& pair = pairs_[suspect.pair];
+    if (!collide(pair, parts_[suspect.seeker])) continue;
+    met_[0] = pair.moved;
+    met_[1] = pair.environment;
+    return true;
+  }
+  for (const PartIndex seeker : pairs_.seekers()) {
+    Part& part = parts_[seeker];
+    if (part.asked_in == round_) part.quiet_until = part.clear + part.travelled + sought_way_;
   }
   return false;
-}
-
-SceneStop Scene::stopOnce(double clearance, double until) {
-  SceneStop stop;
-  stop.s = until;
-  for (const Candidate& candidate : candidates_) {
-    Pair& pair = pairs_[candidate.pair];
-    const PartMotion &a = *motions_[pair.moved], &b = *motions_[pair.environment];
-    const double reach = (a.path_bound + b.path_bound) * stop.s;
-    if (reach == 0.0 || candidate.lower_bound > reach + std::max(clearance, kLeastClearance)) continue;
-    const MotionStop pair_stop = collision::advance(pair.query, a, b, {clearance, stop.s});
-    stop.began_colliding |= pair_stop.began_colliding;
-    if (!pair_stop.stopped || pair_stop.s >= stop.s) continue;
-    stop.s = pair_stop.s;
-    stop.stopped = true;
-    stop.pair = candidate.pair;
-    stop.nearest = pair_stop.nearest;
-  }
-  return stop;
-}
-
-void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance) {
-  standing_.resize(parts_.size());
-  motions_.resize(parts_.size());
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    standing_[i] = standingStill(parts_[i].X_WP);
-    motions_[i] = &standing_[i];
-  }
-  // The lower bounds are of the beginning, wherever the scene has its parts now.
-  double reach = 0.0;
-  for (const MovedPart& part : moved) {
-    motions_[part.part] = &part.motion;
-    place(parts_[part.part], part.motion.at(0.0));
-    reach = std::max(reach, part.motion.path_bound);
-  }
-  candidatesWithin(2.0 * reach + std::max(clearance, kLeastClearance) + kTouchingDistance);
-  for (const MovedPart& part : moved) place(parts_[part.part], standing_[part.part].X_WStart);
-}
-
-SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
-  prepareMotion(moved, clearance);
-  SceneStop stop = stopOnce(clearance, 1.0);
-  // Passes by which pairs go back that a stop found later has moved past. Then the motion is given up. Half: in crowds
-  // it stops more often; twice: longer before.
-  constexpr int kMostPasses = 4;
-  for (int pass = 0; stop.stopped && pass < kMostPasses; ++pass) {
-    SceneStop again = stopOnce(clearance, stop.s);
-    if (!again.stopped) return stop;
-    again.began_colliding = stop.began_colliding;
-    stop = again;
-  }
-  if (stop.stopped) stop.s = 0.0;
-  return stop;
 }
 
 }  // namespace hapticell::collision

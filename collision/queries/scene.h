@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "collision/queries/motion_check.h"
+#include "collision/queries/placed_bounds.h"
 #include "collision/queries/proximity_query.h"
+#include "collision/queries/scene_pairs.h"
+#include "collision/trees/part_tree.h"
 
 namespace hapticell::collision {
 
@@ -19,10 +22,6 @@ struct PartKey {
   std::uint32_t part = 0;
   bool operator==(const PartKey&) const = default;
 };
-
-/// Indices of parts and pairs within one Scene; valid until the part or the pairs are removed.
-using PartIndex = std::uint32_t;
-using PairIndex = std::uint32_t;
 
 /// The distance of one pair: A is its moved part, B the part that A is checked against.
 struct PairDistance {
@@ -47,10 +46,12 @@ struct SceneStop {
 
 /// Parts placed in the world and the pairs of them that are checked: moved against environment, link against link.
 ///
-/// Every pair keeps its warm query. Queries process the pairs in the order of a cheap lower bound (spheres and root
-/// boxes) and share one upper bound, so distant pairs cost almost nothing. Belongs to one thread, which may edit it
-/// between two queries; another thread builds colliders and hands them over. Warm queries do not allocate, except to
-/// append to the caller's vectors. Pairs that are disabled, or whose part is removed, are skipped.
+/// A tree of the parts' boxes finds what is near, so a query costs what is near, not what is there; pairs of sets that
+/// never come near cost nothing at all. Every pair that came near keeps its warm query, and how far apart it was: less
+/// the ways that its parts have gone since, that answers most queries of small steps. Queries that look for one pair
+/// share one upper bound. Belongs to one thread, which may edit it between two queries; another thread builds colliders
+/// and hands them over. Warm queries do not allocate, except to append to the caller's vectors; a pair that comes near
+/// for the first time does. Pairs that are disabled, or whose part is removed, are skipped.
 class Scene {
  public:
   /// Adds a part at X_WP; an empty mesh is allowed. Indices of removed parts are used again.
@@ -64,14 +65,20 @@ class Scene {
   const std::shared_ptr<const MeshCollider>& sharedCollider(PartIndex part) const { return parts_[part].collider; }
 
   /// Adds a pair that is checked; the caller chooses `tag` (for example the number of its pair set). A part is never
-  /// paired with itself.
+  /// paired with itself, and two parts are one pair at most, either way round: added again it gets the new tag.
   PairIndex addPair(PartIndex moved, PartIndex environment, std::uint32_t tag = 0);
+  /// Each of the first is checked against each of the others but itself: in memory and time as if only those that are
+  /// near were. Such a pair gets its index when it first comes near. 64 sets at most; of several the later tag counts.
+  void addPairs(std::span<const PartIndex> moved, std::span<const PartIndex> environment, std::uint32_t tag = 0);
   void clearPairs();
+  /// Pairs that have an index: 0 to pairCount() - 1.
   std::size_t pairCount() const { return pairs_.size(); }
+  /// The pair of these two, either way round, that addPair() or addPairs() added; it has an index from now on.
+  std::optional<PairIndex> pairOf(PartIndex a, PartIndex b);
   PartIndex moved(PairIndex pair) const { return pairs_[pair].moved; }
   PartIndex environment(PairIndex pair) const { return pairs_[pair].environment; }
   std::uint32_t tag(PairIndex pair) const { return pairs_[pair].tag; }
-  void setEnabled(PairIndex pair, bool enabled) { pairs_[pair].enabled = enabled; }
+  void setEnabled(PairIndex pair, bool enabled);
   bool isEnabled(PairIndex pair) const { return pairs_[pair].enabled; }
 
   /// The nearest of all pairs, if any is nearer than `limit` (m). Pairs that collide come before all others.
@@ -89,41 +96,91 @@ class Scene {
   DistanceResult distance(PairIndex pair, double limit = std::numeric_limits<double>::infinity());
 
   /// How far the parts may move together, every pair keeping `clearance` (m) as advance() of one pair does. Parts that
-  /// are not listed do not move. The poses of the scene are not changed.
+  /// are not listed do not move. The poses of the scene are not changed. A part is listed once.
   SceneStop advance(std::span<const MovedPart> moved, double clearance);
 
  private:
   struct Part {
+    PlacedBounds at;
+    double travelled = 0.0;  ///< m: no point of it has gone a longer way since it was added.
+    double asked_at = 0.0;   ///< Its way when collides() last looked around it,
+    double look = 0.0;       ///< and how far (m) it looked.
+    /// Nothing that it is checked against is nearer than this less its way and that of all that is sought (m).
+    double quiet_until = -std::numeric_limits<double>::infinity();
+    double clear = 0.0;          ///< In the round it was looked around: nothing was nearer than this.
+    std::uint32_t asked_in = 0;  ///< That round.
+    double way_of_round = 0.0;  ///< Its way between two queries.
+    std::uint32_t round = 0;
+    bool empty = true;  ///< No triangle, or removed.
+    Pose X_WP;
     PartKey key;
     std::shared_ptr<const MeshCollider> collider;  ///< Null once removed.
-    Pose X_WP;
-    dvec3 center_W{0.0};
-    OrientedBox root_W;
-  };
-  struct Pair {
-    PartIndex moved;
-    PartIndex environment;
-    std::uint32_t tag;
-    bool enabled;
-    ProximityQuery query;
   };
   struct Candidate {
     double lower_bound;
     PairIndex pair;
   };
+  /// A part of advance().
+  struct Swept {
+    PartIndex part;
+    const PartMotion* motion;
+    PlacedBounds begin;
+  };
 
-  void place(Part& part, const Pose& X_WP);
-  double lowerBound(const Pair& pair) const;
-  const std::vector<Candidate>& candidatesWithin(double margin);
-  DistanceResult query(PairIndex pair, double limit);
+  /// The two of a pair, and how they move.
+  struct PairMotion {
+    const PartMotion *a, *b;
+    const MeshCollider *collider_a, *collider_b;
+  };
+
+  static geometry::Bounds sweptBox(const Swept& swept, const MeshCollider& collider);
+
+  void keepInTree(PartIndex part);
+  void travel(PartIndex part, const Pose& X_WP);
+  void forgetQuiet(PartIndex part) { parts_[part].quiet_until = -std::numeric_limits<double>::infinity(); }
+  void beginQuery();
+  double way(const ScenePairs::Pair& pair) const;
+  /// The two are so far apart (m) here. A little less: a search prunes in float.
+  void certify(ScenePairs::Pair& pair, double distance) const {
+    pair.apart_until = (1.0 - 1e-6) * distance - kTouchingDistance + way(pair);
+  }
+  ProximityQuery& queryOf(ScenePairs::Pair& pair);
+  DistanceResult query(PairIndex pair, const DistanceDemand& demand);
+
+  bool isQuiet(const Part& part) const { return part.quiet_until - part.travelled - sought_way_ > kTouchingDistance; }
+  double lookAhead(const Part& part) const;
+  void lookAround(PartIndex part);
+  void suspect(PartIndex seeker, PartIndex other);
+  bool collide(ScenePairs::Pair& pair, Part& seeker);
+  void gather(double margin);
+  void measure(PairIndex pair, DistanceDemand& left, std::optional<PairDistance>& best);
+  void searchNearest(double margin, DistanceDemand& left, std::optional<PairDistance>& best);
+  double extent() const;
+
   void prepareMotion(std::span<const MovedPart> moved, double clearance);
+  void addMotionPair(const Swept& swept, PartIndex other, double clearance);
+  bool boundsStayApart(const PairMotion& motion, double gap, const MotionDemand& demand) const;
   SceneStop stopOnce(double clearance, double until);
 
   std::vector<Part> parts_;
-  std::vector<Pair> pairs_;
+  std::vector<PartIndex> unused_;
+  ScenePairs pairs_;
+  PartTree tree_;                    ///< Of the parts that are sought.
+  double sought_way_ = 0.0;          ///< m: none of them has gone a longer way, by the way of each round.
+  double sought_way_of_round_ = 0.0, sought_step_ = 0.0;  ///< Of the present round, and of the last.
+  std::uint32_t round_ = 0;          ///< Queries until now.
+  std::uint32_t pass_ = 0;           ///< Searches until now, for Pair::seen.
+  PartIndex nearest_of_[2] = {0, 0}, met_[2] = {0, 0};  ///< The pairs of the last answers, by their parts.
+
   std::vector<Candidate> candidates_;
-  std::vector<PartMotion> standing_;
-  std::vector<const PartMotion*> motions_;
+  struct Suspect {
+    double gap;
+    PairIndex pair;
+    PartIndex seeker;
+  };
+  std::vector<Suspect> suspects_;
+  std::vector<Swept> swept_;
+  std::vector<std::uint32_t> swept_of_;  ///< Of each part: one more than its index in swept_; 0: it stands.
 };
 
 }  // namespace hapticell::collision

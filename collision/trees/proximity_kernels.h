@@ -68,6 +68,22 @@ struct alignas(64) ExactPairs {
   double second[9][kTreeWidth];
 };
 
+/// Boxes of a node of the parts' tree (PartTree): 16 floats are a vector of AVX-512, or two of AVX2. Half: twice the
+/// levels; twice: two vectors for what one mostly answers.
+inline constexpr int kPartLanes = 16;
+
+/// Axis-aligned boxes in the world, one per lane; a lane without a box has min above max.
+struct alignas(64) PartBoxes {
+  float min[3][kPartLanes];
+  float max[3][kPartLanes];
+};
+
+/// The box that is asked about.
+struct QueryBounds {
+  float min[3];
+  float max[3];
+};
+
 /// The inner loops of the proximity engine for one instruction set. Without state; any thread.
 struct ProximityKernels {
   const char* name;
@@ -86,6 +102,9 @@ struct ProximityKernels {
 
   /// Squares of the distances of 8 pairs, to double's rounding.
   void (*exactDistances)(const ExactPairs& pairs, double* squared);
+
+  /// Which of the 16 boxes (bit by lane) overlap or touch the box.
+  std::uint32_t (*nearBoxes)(const PartBoxes& boxes, const QueryBounds& query);
 };
 
 /// The kernels of this machine: the widest instruction set of its processor. To use less, set HAPTICELL_SIMD to

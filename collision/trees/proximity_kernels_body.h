@@ -364,9 +364,25 @@ void exactDistances(const ExactPairs& pairs, double* squared) {
   }
 }
 
+template <typename V>
+HAPTICELL_INLINE auto overlapping(const PartBoxes& boxes, int lane, const QueryBounds& query) {
+  auto near = load<V>(boxes.min[0] + lane) <= all<V>(query.max[0]);
+  near &= load<V>(boxes.max[0] + lane) >= all<V>(query.min[0]);
+  for (int k = 1; k < 3; ++k) {
+    near &= load<V>(boxes.min[k] + lane) <= all<V>(query.max[k]);
+    near &= load<V>(boxes.max[k] + lane) >= all<V>(query.min[k]);
+  }
+  return near;
+}
+
+std::uint32_t nearBoxes(const PartBoxes& boxes, const QueryBounds& query) {
+  return bitsOf(Mask8(overlapping<Float8>(boxes, 0, query))) | bitsOf(Mask8(overlapping<Float8>(boxes, 8, query))) << 8;
+}
+
 }  // namespace
 
 extern const ProximityKernels HAPTICELL_KERNELS;
-const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds, leafPairs, packedDistances, exactDistances};
+const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds,      leafPairs,
+                                         packedDistances,        exactDistances, nearBoxes};
 
 }  // namespace hapticell::collision

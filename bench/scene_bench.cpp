@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole cells: which parts are near, beside the peer's broad phase in the same process. Prints a table of
+// docs/dev/performance.md.
+//
+// usage: scene_bench [chain] [one] [cell]
+// chain: 7 links x 80 parts; one: 1 part x 10 to 5000; cell: 7 links in cells of 50 and 5000 parts of one density.
+// Default: all. cell_bench opens and holds such cells.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/collision_scenes.h"
+#include "collision/queries/scene.h"
+#ifdef HAPTICELL_HAS_FCL
+#include "bench/fcl_peer.h"
+#endif
+
+namespace hapticell::bench {
+namespace {
+
+using Collider = std::shared_ptr<const collision::MeshCollider>;
+using Poses = std::vector<Pose>;
+constexpr int kWalks = 5, kSteps = 1000, kEdges = 200, kSamplesOfEdge = 20;
+
+double microseconds() {
+  return 1e-3 * static_cast<double>(std::chrono::steady_clock::now().time_since_epoch().count());
+}
+
+/// Each step's least time of several walks, us, sorted.
+template <typename Query>
+std::vector<double> timed(std::size_t steps, const Query& query) {
+  std::vector<double> least(steps, 1e9);
+  for (int walk = 0; walk < kWalks; ++walk) {
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double begin = microseconds();
+      query(i);
+      least[i] = std::min(least[i], microseconds() - begin);
+    }
+  }
+  std::sort(least.begin(), least.end());
+  return least;
+}
+
+void row(const std::string& scene, const std::string& query, const std::vector<double>& ours,
+         const std::vector<double>& peer, const std::string& note) {
+  const auto at = [](const std::vector<double>& times, double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+  };
+  std::printf("| %s | %s | %.2f / %.1f / %.0f |", scene.c_str(), query.c_str(), at(ours, 0.5), at(ours, 0.99),
+              ours.back());
+  if (peer.empty()) {
+    std::printf(" | |");
+  } else {
+    std::printf(" %.2f / %.1f / %.0f | %.1f |", at(peer, 0.5), at(peer, 0.99), peer.back(), at(peer, 0.5) / at(ours, 0.5));
+  }
+  std::printf(" %s |\n", note.c_str());
+  std::fflush(stdout);
+}
+
+/// Some moved parts against standing ones of one shape, for both engines.
+class Group {
+ public:
+  Group(const std::vector<geometry::TriangleMesh>& moved, const geometry::TriangleMesh& standing, const Poses& X_WS)
+#ifdef HAPTICELL_HAS_FCL
+      : peer_(moved, {standing}, X_WS)
+#endif
+  {
+    for (const auto& mesh : moved) moved_.push_back(scene_.addPart({0, 0}, collision::MeshCollider::build(mesh)));
+    const Collider shape = collision::MeshCollider::build(standing);
+    for (const Pose& X : X_WS) standing_.push_back(scene_.addPart({1, 0}, shape, X));
+#ifdef HAPTICELL_SCENE_SETS
+    scene_.addPairs(moved_, standing_);
+#else
+    for (const auto part : moved_) {
+      for (const auto other : standing_) scene_.addPair(part, other);
+    }
+#endif
+  }
+
+  void place(const Poses& X_WM) {
+    for (std::size_t i = 0; i < moved_.size(); ++i) scene_.setPose(moved_[i], X_WM[i]);
+  }
+
+  void measureCollides(const std::string& name, const std::string& query, const std::vector<Poses>& path) {
+    std::vector<char> ours(path.size()), theirs(path.size());
+    const auto times = timed(path.size(), [&](std::size_t i) {
+      place(path[i]);
+      ours[i] = scene_.collides();
+    });
+    std::vector<double> peer;
+#ifdef HAPTICELL_HAS_FCL
+    peer = timed(path.size(), [&](std::size_t i) { theirs[i] = peer_.collides(path[i]); });
+    const int others = static_cast<int>(path.size()) -
+                       static_cast<int>(std::inner_product(ours.begin(), ours.end(), theirs.begin(), 0, std::plus<>(),
+                                                           std::equal_to<>()));
+    const std::string differ = ", " + std::to_string(others) + " answers differ";
+#else
+    const std::string differ;
+#endif
+    row(name, query, times, peer, std::to_string(std::count(ours.begin(), ours.end(), 1)) + " collide" + differ);
+  }
+
+  void measureNearest(const std::string& name, const std::vector<Poses>& path) {
+    std::vector<double> ours(path.size());
+    const auto times = timed(path.size(), [&](std::size_t i) {
+      place(path[i]);
+      ours[i] = scene_.nearest()->result.distance;
+    });
+    std::vector<double> peer;
+    double worst = 0.0;
+#ifdef HAPTICELL_HAS_FCL
+    peer = timed(path.size(), [&](std::size_t i) {
+      worst = std::max(worst, std::abs(std::max(0.0, peer_.distance(path[i])) - ours[i]));
+    });
+#endif
+    char note[64];
+    std::snprintf(note, sizeof note, "differ by %.1g m", worst);
+    row(name, "nearest, along a motion", times, peer, note);
+    const auto within = timed(path.size(), [&](std::size_t i) {
+      place(path[i]);
+      found_.clear();
+      scene_.pairsWithin(0.05, found_);
+    });
+    row(name, "pairs within 50 mm", within, {}, "");
+  }
+
+  /// Straight ways of the joints; the peer looks at samples of it, as planners do.
+  void measureEdges(const std::string& name, const std::vector<std::vector<double>>& from,
+                    const std::vector<std::vector<double>>& to) {
+    int stopped = 0, met = 0;
+    const auto between = [&](std::size_t edge, double s) {
+      std::vector<double> angles(from[edge]);
+      for (std::size_t i = 0; i < angles.size(); ++i) angles[i] += s * (to[edge][i] - from[edge][i]);
+      return angles;
+    };
+    const auto motions = [&](std::size_t edge) {
+      std::vector<collision::MovedPart> parts(moved_.size());
+      double speed = 0.0;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        speed += std::abs(to[edge][i] - from[edge][i]);
+        parts[i].part = moved_[i];
+        collision::PartMotion& motion = parts[i].motion;
+        const double reach = 0.26 * static_cast<double>(i + 1) + 0.1;
+        motion.path_bound = speed * reach;
+        motion.bend_bound = 2.0 * speed * speed * reach;
+        motion.along = [&from, &to, edge, i](double s) {
+          Pose X;
+          for (std::size_t k = 0; k <= i; ++k) {
+            X = X * chainJoint(k, from[edge][k] + s * (to[edge][k] - from[edge][k]));
+          }
+          return X;
+        };
+      }
+      return parts;
+    };
+    std::vector<std::vector<collision::MovedPart>> all;
+    for (std::size_t edge = 0; edge < from.size(); ++edge) all.push_back(motions(edge));
+    const auto times = timed(from.size(), [&](std::size_t edge) {
+      if (edge == 0) stopped = 0;
+      stopped += scene_.advance(all[edge], 0.0).stopped;
+    });
+    std::vector<double> peer;
+#ifdef HAPTICELL_HAS_FCL
+    peer = timed(from.size(), [&](std::size_t edge) {
+      if (edge == 0) met = 0;
+      bool meets = false;
+      for (int k = 0; k <= kSamplesOfEdge && !meets; ++k) {
+        meets = peer_.collides(chainPoses(between(edge, static_cast<double>(k) / kSamplesOfEdge)));
+      }
+      met += meets;
+    });
+#endif
+    row(name, "motion check of an edge of 0.2 rad", times, peer,
+        std::to_string(stopped) + " stop; peer (" + std::to_string(kSamplesOfEdge + 1) + " samples) meets " +
+            std::to_string(met));
+  }
+
+ private:
+  collision::Scene scene_;
+  std::vector<collision::PartIndex> moved_, standing_;
+  std::vector<collision::PairDistance> found_;
+#ifdef HAPTICELL_HAS_FCL
+  FclGroup peer_;
+#endif
+};
+
+std::vector<double> randomAngles(std::mt19937& random) {
+  std::uniform_real_distribution<double> turn(-2.5, 2.5), bend(-1.2, 1.2);
+  std::vector<double> angles;
+  for (int i = 0; i < 7; ++i) angles.push_back(i % 2 == 0 ? turn(random) : bend(random));
+  return angles;
+}
+
+/// The chain from random posture to random posture, 0.5 degrees a step of its fastest joint.
+std::vector<Poses> randomMotion(std::mt19937& random) {
+  constexpr double kStep = 0.5 * std::numbers::pi / 180.0;
+  std::vector<Poses> path;
+  std::vector<double> at = randomAngles(random);
+  while (path.size() < kSteps) {
+    const std::vector<double> to = randomAngles(random);
+    double furthest = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) furthest = std::max(furthest, std::abs(to[i] - at[i]));
+    const int steps = static_cast<int>(furthest / kStep);
+    for (int k = 0; k < steps && path.size() < kSteps; ++k) {
+      std::vector<double> angles(at);
+      for (std::size_t i = 0; i < at.size(); ++i) angles[i] += (to[i] - at[i]) * k / steps;
+      path.push_back(chainPoses(angles));
+    }
+    at = to;
+  }
+  return path;
+}
+
+void measureEdges(const std::string& name, Group& group, std::mt19937& random) {
+  std::vector<std::vector<double>> from, to;
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int edge = 0; edge < kEdges; ++edge) {
+    from.push_back(randomAngles(random));
+    std::vector<double> way(7);
+    double length = 0.0;
+    for (double& w : way) length += (w = unit(random)) * w;
+    to.push_back(from.back());
+    for (std::size_t i = 0; i < way.size(); ++i) to.back()[i] += 0.2 * way[i] / std::sqrt(length);
+  }
+  group.measureEdges(name, from, to);
+}
+
+void measureChain(const std::string& name, Group& group) {
+  std::mt19937 random(17);
+  group.measureCollides(name, "collides, along a motion", randomMotion(random));
+  std::vector<Poses> unrelated;
+  for (int i = 0; i < kSteps; ++i) unrelated.push_back(chainPoses(randomAngles(random)));
+  group.measureCollides(name, "collides, unrelated poses", unrelated);
+  measureEdges(name, group, random);
+}
+
+Poses scattered(std::mt19937& random, int parts, double side, double around) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  Poses poses;
+  while (static_cast<int>(poses.size()) < parts) {
+    const dvec3 p = 0.5 * side * dvec3(unit(random), unit(random), unit(random));
+    const dquat q = glm::normalize(dquat(unit(random), unit(random), unit(random), unit(random)));
+    if (std::hypot(p.x, p.y) > around) poses.push_back({p, q});
+  }
+  return poses;
+}
+
+void chainAmongParts() {
+  const Chain chain = makeChain(kSteps);
+  Poses X_WS;
+  const auto placed = partsAround(makeChain(600), 80, 20000);
+  for (const PlacedPart& part : placed) X_WS.push_back(part.X_WP);
+  Group group(chain.links, placed.front().mesh, X_WS);
+  const std::string name = "7 links x 80 parts, 1.7 M triangles";
+  group.measureCollides(name, "collides, along a free motion", chain.X_WL);
+  group.measureNearest(name, chain.X_WL);
+  measureChain(name, group);
+}
+
+void onePart() {
+  for (const int parts : {10, 100, 1000, 5000}) {
+    std::mt19937 random(5);
+    const double side = 0.9 * std::cbrt(parts);
+    Group group({cadPart(20000)}, cadPart(2000), scattered(random, parts, side, 0.0));
+    std::vector<Poses> motion, unrelated;
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = 0.004 * i;
+      motion.push_back({Pose{0.4 * side * dvec3(std::cos(t), std::sin(t), std::sin(1.7 * t)),
+                             quaternionFromRotationVector({0.9 * t, 0.0, 1.1 * t})}});
+      unrelated.push_back(scattered(random, 1, side, 0.0));
+    }
+    const std::string name = "1 part x " + std::to_string(parts);
+    group.measureCollides(name, "collides, along a motion", motion);
+    group.measureCollides(name, "collides, unrelated poses", unrelated);
+  }
+}
+
+void chainInCells() {
+  for (const int parts : {50, 5000}) {
+    std::mt19937 random(7);
+    const Chain chain = makeChain(2);
+    Group group(chain.links, cadPart(2000), scattered(random, parts, 2.4 * std::cbrt(parts / 50.0), 0.25));
+    measureChain("7 links in a cell of " + std::to_string(parts) + " parts", group);
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::bench
+
+int main(int argc, char** argv) {
+  using namespace hapticell::bench;
+  std::vector<std::string> wanted(argv + 1, argv + argc);
+  if (wanted.empty()) wanted = {"chain", "one", "cell"};
+  std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL, us | x median | |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& scene : wanted) {
+    if (scene == "chain") chainAmongParts();
+    if (scene == "one") onePart();
+    if (scene == "cell") chainInCells();
+  }
+  return 0;
+}

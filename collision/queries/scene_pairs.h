@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "collision/queries/pair_table.h"
+#include "collision/queries/proximity_query.h"
+
+namespace hapticell::collision {
+
+/// Indices of parts and pairs within one Scene; valid until the part or the pairs are removed.
+using PartIndex = std::uint32_t;
+using PairIndex = std::uint32_t;
+
+/// The pairs of a Scene: those named one by one, and those of sets of parts, which cost nothing until they come near.
+/// One thread.
+class ScenePairs {
+ public:
+  static constexpr PairIndex kNone = PairTable::kNone;
+  /// Sets of one scene: a bit each.
+  static constexpr std::size_t kMostSets = 64;
+
+  struct Pair {
+    PartIndex moved = 0;
+    PartIndex environment = 0;
+    std::uint32_t tag = 0;
+    bool enabled = true;
+    std::uint32_t seen = 0;  ///< The query that has come by last: once each.
+    /// The two are farther apart than this less the sum of both parts' ways (m); see Scene.
+    double apart_until = -std::numeric_limits<double>::infinity();
+    /// They are near: until this sum of ways nothing is gained by looking ahead.
+    double near_until = -std::numeric_limits<double>::infinity();
+    std::unique_ptr<ProximityQuery> query{};  ///< Made when it is first needed.
+    std::uint32_t at_moved = 0, at_environment = 0;  ///< Places in the lists of its parts.
+  };
+
+  Pair& operator[](PairIndex pair) { return pairs_[pair]; }
+  const Pair& operator[](PairIndex pair) const { return pairs_[pair]; }
+  std::size_t size() const { return pairs_.size(); }
+
+  /// See Scene::addPair() and addPairs().
+  PairIndex add(PartIndex moved, PartIndex environment, std::uint32_t tag);
+  void addSet(std::span<const PartIndex> moved, std::span<const PartIndex> environment, std::uint32_t tag);
+  /// The pair of these two if it has an index already; else kNone.
+  PairIndex known(PartIndex a, PartIndex b) const { return a == b ? kNone : table_.find(a, b); }
+  /// The pair of these two, given an index if a set has them; kNone where they are no pair.
+  PairIndex find(PartIndex a, PartIndex b);
+  void removePart(PartIndex part);
+  void clear();
+  /// All that is known of how far apart its pairs are is of no use any more.
+  void forgetDistances(PartIndex part);
+
+  /// Parts that look for others, and what they look for: of a pair the moved part seeks, of a set the smaller side.
+  const std::vector<PartIndex>& seekers() const { return seekers_; }
+  bool isSought(PartIndex part) const { return part < roles_.size() && roles_[part].sought; }
+  bool isSeeker(PartIndex part) const { return part < roles_.size() && roles_[part].seeks; }
+
+ private:
+  struct Roles {
+    std::uint64_t moved_in = 0, environment_in = 0;  ///< Sets, a bit each.
+    bool seeks = false, sought = false;
+    std::vector<PairIndex> pairs;  ///< With an index.
+  };
+
+  Roles& rolesOf(PartIndex part);
+  void setSeeks(PartIndex part);
+  PairIndex make(PartIndex moved, PartIndex environment, std::uint32_t tag);
+  void unlist(PartIndex part, std::uint32_t at);
+  void remove(PairIndex pair);
+
+  std::vector<Pair> pairs_;
+  PairTable table_;
+  std::vector<Roles> roles_;  ///< Of each part.
+  std::vector<PartIndex> seekers_;
+  std::vector<std::uint32_t> set_tags_;
+};
+
+}  // namespace hapticell::collision
