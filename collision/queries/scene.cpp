@@ -132,10 +132,7 @@ double Scene::way(const ScenePairs::Pair& pair) const {
 }
 
 ProximityQuery& Scene::queryOf(ScenePairs::Pair& pair) {
-  if (!pair.query) {
-    pair.query = std::make_unique<ProximityQuery>(parts_[pair.moved].collider, parts_[pair.environment].collider);
-  }
-  return *pair.query;
+  return pair.query.of(parts_[pair.moved].collider, parts_[pair.environment].collider);
 }
 
 DistanceResult Scene::query(PairIndex index, const DistanceDemand& demand) {

@@ -16,6 +16,29 @@ namespace hapticell::collision {
 using PartIndex = std::uint32_t;
 using PairIndex = std::uint32_t;
 
+/// The query of a pair, made when it is first needed. A copy makes its own: a query keeps what it found last.
+class LazyQuery {
+ public:
+  LazyQuery() = default;
+  LazyQuery(const LazyQuery&) {}
+  LazyQuery(LazyQuery&&) noexcept = default;
+  LazyQuery& operator=(const LazyQuery&) {
+    made_.reset();
+    return *this;
+  }
+  LazyQuery& operator=(LazyQuery&&) noexcept = default;
+  ~LazyQuery() = default;
+
+  ProximityQuery& of(const std::shared_ptr<const MeshCollider>& moved,
+                     const std::shared_ptr<const MeshCollider>& environment) {
+    if (!made_) made_ = std::make_unique<ProximityQuery>(moved, environment);
+    return *made_;
+  }
+
+ private:
+  std::unique_ptr<ProximityQuery> made_;
+};
+
 /// The pairs of a Scene: those named one by one, and those of sets of parts, which cost nothing until they come near.
 /// One thread.
 class ScenePairs {
@@ -34,7 +57,7 @@ class ScenePairs {
     double apart_until = -std::numeric_limits<double>::infinity();
     /// They are near: until this sum of ways nothing is gained by looking ahead.
     double near_until = -std::numeric_limits<double>::infinity();
-    std::unique_ptr<ProximityQuery> query{};  ///< Made when it is first needed.
+    LazyQuery query{};
     std::uint32_t at_moved = 0, at_environment = 0;  ///< Places in the lists of its parts.
   };
 
