@@ -9,10 +9,10 @@
 
 namespace hapticell::workcell {
 
-/// True where the model has a joint that moves, not counting those of models inside it.
+/// True if the model has a joint that moves, not counting those of models inside it.
 bool hasMovingJoints(const sdf::Model& model);
 
-/// One model of `source` as a robot, as readSdf() does; X_FB is its root in the model's frame.
+/// One model of `source` as a robot, as in readSdf(); X_FB is its root in the model's frame.
 Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const std::filesystem::path& file,
                                 Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 

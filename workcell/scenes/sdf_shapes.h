@@ -12,17 +12,17 @@
 
 namespace hapticell::workcell {
 
-/// Collada without its up axis, as Gazebo does.
+/// Options for Collada without its up axis, as in Gazebo.
 ImportOptions asGazeboDoes();
 
-/// Makes meshes of the shapes of an SDF file; each mesh file is read once for each way that it is used.
+/// Makes meshes of the shapes of an SDF file; each mesh file is read once for each way of using it.
 class SdfShapes {
  public:
   /// `source` and `monitor` (may be null) must outlive this.
   SdfShapes(const SdfSource& source, const ImportOptions& options, ImportMonitor* monitor);
 
-  /// The shape's mesh in its own frame, metres; null if it is left out, which is then reported. A mesh that is mirrored
-  /// by its scale keeps its outside; of a <submesh> only that part is taken, by its name.
+  /// The shape's mesh in its own frame, metres; null if it is left out, which is reported. A mesh mirrored by its scale
+  /// keeps its outside; of a <submesh>, only the part with that name is used.
   std::shared_ptr<const geometry::TriangleMesh> meshOf(const sdf::Geometry& geometry, const std::string& owner);
 
   bool isCancelled() const { return scenes_.isCancelled(); }
