@@ -7,7 +7,7 @@
 
 namespace hapticell::cli {
 
-/// Collects how long queries took, on the steady clock.
+/// Collects the durations of queries, on the steady clock.
 class Timing {
  public:
   using Clock = std::chrono::steady_clock;
@@ -16,7 +16,7 @@ class Timing {
   void add(Clock::time_point begin) {
     durations_us_.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
   }
-  /// `median_us`, `p99_us` (nearest rank), `max_us`; zeros where nothing was timed.
+  /// `median_us`, `p99_us` (nearest rank), `max_us`; zeros if nothing was timed.
   nlohmann::ordered_json toJson() const;
 
  private:
