@@ -14,10 +14,10 @@ class Host;
 ///
 /// It is a command if the hand is in the scene (the pointer is over it, or the stylus holds a part) and nothing waits
 /// for text (a field, a menu, a dialog; a field whose number was entered waits for the next number only). Everywhere
-/// else the focused widget gets it: a list searches, a panel whose property `search` marks a field types into that. A
-/// closed choice opens its list and searches there, so typing alone selects nothing. For Delete only the focus counts:
-/// a command in the scene, else for the widget. Says so once if nothing used a command's key. GUI thread.
-/// typed beside the scene and nothing took it. GUI thread.
+/// else the widget with the focus gets it: a list searches, and a panel whose property `search` marks a field types
+/// into that. A closed choice opens its list and searches there, so that typing alone selects nothing. For Delete only
+/// the focus counts: a command in the scene, else for the focused widget. Says so once if a command's key was typed
+/// outside the scene and nothing used it. GUI thread.
 class TypedKeys : public QObject {
   Q_OBJECT
  public:
