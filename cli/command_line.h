@@ -3,7 +3,7 @@
 
 namespace hapticell::cli {
 
-/// Reads the command line and runs the chosen command. Never throws; this is all of main().
+/// Reads the command line and runs the chosen command. Never throws; main() does nothing else.
 int runCommandLine(int argc, char** argv);
 
 }  // namespace hapticell::cli

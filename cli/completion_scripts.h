@@ -5,8 +5,8 @@
 
 namespace hapticell::cli {
 
-/// What makes bash, zsh or fish ask `hapticell-cli completion words` for completions; the other programs' options are
-/// taken from their --help. Empty for other shells.
+/// The script by which bash, zsh or fish asks `hapticell-cli completion words` for completions; options of the other
+/// programs are taken from their --help. Empty for other shells.
 std::string_view completionScript(std::string_view shell);
 
 }  // namespace hapticell::cli

@@ -10,12 +10,12 @@
 
 namespace hapticell::importer {
 
-/// A sentence for a file that assimp refused with `message`: where the fault is, as far as is known, what was
-/// found and what a sound file has. A binary glTF file whose length is not that of its header is reported as such;
-/// messages that only say that no reader took it are replaced. `head` is the beginning of the file.
+/// A sentence for a file that assimp rejected with `message`: where the fault is, as far as known, what was found and
+/// what is expected. Reports a binary glTF file whose length differs from that in its header; replaces messages that
+/// only say that no reader accepted the file. `head` is the beginning of the file.
 Error assimpFault(const std::filesystem::path& file, std::string_view head, std::string message);
 
-/// If a binary glTF file is cut off, or of a version that is not known, what is wrong with it ("glTF 2.0
+/// The fault of a binary glTF file that is cut off or of an unknown version; empty if it is neither ("glTF 2.0
 /// specification", section 4.4).
 std::optional<Error> binaryGltfFault(const std::filesystem::path& file, std::string_view head);
 

@@ -6,8 +6,8 @@
 
 namespace hapticell::importer {
 
-/// Reads glTF, GLB, Collada, 3MF, FBX or 3DS with assimp. Node scales and mirrorings go into the meshes, so that every
-/// placement is rigid; triangles with a corner that is not finite are dropped and reported. May throw.
+/// Reads glTF, GLB, Collada, 3MF, FBX or 3DS with assimp. Scales and mirrorings of nodes are applied to the meshes, so
+/// that every placement is rigid; triangles with a corner that is not finite are dropped and reported. May throw.
 Expected<workcell::ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent);
 
 }  // namespace hapticell::importer

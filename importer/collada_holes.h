@@ -8,12 +8,12 @@
 
 namespace hapticell::importer {
 
-/// Replaces the <polygons> of a Collada <mesh>, of which some have holes (<ph>), by <triangles> with the same inputs.
-/// Gives the number of polygons that could not be cut.
+/// Replaces the <polygons> of a Collada <mesh>, some of which have holes (<ph>), by <triangles> with the same inputs.
+/// Returns the number of polygons that could not be converted.
 int cutPolygonsWithHoles(pugi::xml_node mesh, pugi::xml_node polygons);
 
-/// Cuts a flat polygon with holes into triangles: numbers of its points, `loops` one after another (the outline first),
-/// turning as the outline does. Empty where that fails (edges that cross, no area).
+/// Splits a flat polygon with holes into triangles: indices of its points, with `loops` one after another (the outline
+/// first); triangles turn like the outline. Empty if that fails (edges that cross, no area).
 std::vector<int> cutPolygon(const std::vector<std::vector<dvec3>>& loops);
 
 }  // namespace hapticell::importer

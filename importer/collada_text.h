@@ -10,19 +10,19 @@
 
 namespace hapticell::importer {
 
-/// What must be known of a Collada file before assimp reads it, and its text in words that assimp 5.2.5 takes.
+/// Data of a Collada file that are needed before assimp reads it, and its text in a form that assimp 5.2.5 accepts.
 struct ColladaText {
-  std::string text;  ///< Empty: the file is fit as it stands.
+  std::string text;  ///< Empty: the file can be used unchanged.
   double metres_per_unit = 1.0;
   bool unit_is_stated = false;
   workcell::UpAxis up = workcell::UpAxis::kY;
   std::vector<Text> warnings;
 };
 
-/// Reads the file as XML. Taken out or rewritten is what assimp would refuse the whole file for though it plays no part
-/// or has a plain meaning: cameras and lights, blanks before a colour's first number, a geometry that stands twice at a
-/// node, polygons with holes (cut into triangles); nodes without a name get their id, since names go before ids.
-/// Errors: no XML, with its line.
+/// Reads the file as XML. Removes or rewrites content for which assimp would reject the whole file although it is not
+/// needed or has a clear meaning: cameras and lights, blanks before a colour's first number, a geometry that occurs
+/// twice at a node, polygons with holes (split into triangles). Nodes without a name get their id, because names are
+/// preferred to ids. Error: no XML, with its line.
 Expected<ColladaText> readColladaText(const std::filesystem::path& file);
 
 }  // namespace hapticell::importer

@@ -7,7 +7,7 @@
 
 namespace hapticell::importer {
 
-/// What is wrong with the content of a file that another program wrote.
+/// The error for invalid content of a file that another program wrote.
 inline Error damagedFile(Text place, Text found, Text expected) {
   return {
       .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};

@@ -9,13 +9,13 @@
 
 namespace hapticell::importer {
 
-/// What is packed by KHR_draco_mesh_compression.
+/// A mesh unpacked from KHR_draco_mesh_compression.
 struct UnpackedMesh {
-  std::vector<float> positions;          ///< Three for each vertex.
-  std::vector<std::uint32_t> triangles;  ///< Three for each triangle.
+  std::vector<float> positions;          ///< Three per vertex.
+  std::vector<std::uint32_t> triangles;  ///< Three per triangle.
 };
 
-/// Unpacks a mesh with libdraco; `attribute` is the unique number of its positions. Errors: not of that kind, damaged.
+/// Unpacks a mesh with libdraco; `attribute` is the unique number of its positions. Errors: of another kind, damaged.
 Expected<UnpackedMesh> unpackDraco(std::string_view bytes, std::uint32_t attribute);
 
 }  // namespace hapticell::importer

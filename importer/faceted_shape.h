@@ -7,8 +7,8 @@
 
 namespace hapticell::importer {
 
-/// A shape (millimetres) with one plane face a triangle; neighbours share their edges. A solid where the mesh is
-/// closed, else a shell. The mesh should be welded. Null where it has no triangle with an area.
+/// A shape (millimetres) with one plane face per triangle; neighbours share their edges. A solid if the mesh is closed,
+/// else a shell. The mesh should be welded. Null if no triangle has an area.
 TopoDS_Shape facetedShape(const geometry::TriangleMesh& mesh);
 
 }  // namespace hapticell::importer

@@ -13,21 +13,21 @@
 
 namespace hapticell::importer {
 
-/// A glTF 2.0 file: its JSON, and the numbers behind its accessors (glTF 2.0 specification, section 3.6). Whatever the
-/// file claims is checked against the bytes that are there.
+/// A glTF 2.0 file: its JSON, and the numbers behind its accessors (glTF 2.0 specification, section 3.6). All claims of
+/// the file are checked against the existing bytes.
 class GltfFile {
  public:
-  /// Reads .gltf and .glb with their buffers: of the file itself, beside it (percent-encoded names are decoded,
-  /// RFC 3986), or in a data URI. Errors in words, without the file's name.
+  /// Reads .gltf and .glb with their buffers: in the file itself, next to it (percent-encoded names are decoded, RFC
+  /// 3986), or in a data URI. Errors are sentences without the file's name.
   static Expected<GltfFile> open(const std::filesystem::path& file);
 
   const nlohmann::json& json() const { return json_; }
 
-  /// The numbers of an accessor as floats: `components` for each element; integers as they stand, or, where the file
-  /// says normalized, as their share of the largest (section 3.6.2.2). Sparse accessors and
-  /// EXT_meshopt_compression are read. Errors: no such accessor, another type, more than the buffer holds.
+  /// The numbers of an accessor as floats: `components` for each element. Integers are unchanged or, if the file says
+  /// normalized, divided by the largest value (section 3.6.2.2). Reads sparse accessors and EXT_meshopt_compression.
+  /// Errors: no such accessor, another type, more than the buffer contains.
   Expected<std::vector<float>> floats(std::size_t accessor, std::size_t components);
-  /// The same of whole numbers.
+  /// The same for whole numbers.
   Expected<std::vector<std::uint32_t>> indices(std::size_t accessor);
   /// The bytes of a buffer view.
   Expected<std::string_view> view(std::size_t index);
@@ -51,11 +51,11 @@ class GltfFile {
   Expected<void> putSparse(const nlohmann::json& accessor, const Layout& layout, std::vector<double>& values);
 };
 
-/// A member as a whole number not below 0, or `otherwise`.
+/// A member as a whole number >= 0, or `otherwise`.
 std::size_t gltfNumber(const nlohmann::json& object, const char* key, std::size_t otherwise);
 /// A member that is an object or list; an empty one if it does not exist or is of another kind.
 const nlohmann::json& gltfMember(const nlohmann::json& object, const char* key);
-/// Element of a list, or an empty object.
+/// An element of a list, or an empty object.
 const nlohmann::json& gltfElement(const nlohmann::json& list, std::size_t index);
 std::string gltfText(const nlohmann::json& object, const char* key);
 

@@ -7,8 +7,8 @@
 
 namespace hapticell::importer {
 
-/// What a library's own word for a fault ("std::bad_alloc", "stoi", "Standard_NullObject") says of the file, and what
-/// helps; the word stands behind it in brackets only where no more is known. Without file and place.
+/// The meaning of a library's own word for a fault ("std::bad_alloc", "stoi", "Standard_NullObject") for the file, and
+/// the remedy; the word itself is added in brackets only if nothing more is known. Without file and place.
 Error libraryFault(const std::string& words);
 
 }  // namespace hapticell::importer

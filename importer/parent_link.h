@@ -11,20 +11,20 @@ namespace hapticell::importer {
 /// both directions. One thread.
 class ParentLink {
  public:
-  /// Share of the whole work, 0 to 1, and what is going on. Reported at most a hundred times.
+  /// Reports the fraction of the whole work, 0 to 1, and the present stage, at most a hundred times.
   void progress(double share, const Text& stage);
-  /// From here on 0 to 1 of progress() are these shares of the whole: one of several files.
+  /// From now on, 0 to 1 of progress() stands for this range of the whole: for one of several files.
   void setRange(double from, double to);
-  /// Before a part that may break the process down: the parent runs it again without that part.
+  /// Call it before a part that may crash the process: the parent then runs it again without that part.
   void beginPart(int number);
   void error(const Error& error);
-  /// Place, found, expected and fix with tabs between, on one line.
+  /// Place, found, expected and fix, separated by tabs, on one line.
   static std::string flatParts(const Error& error);
   void done();
 
   /// The scene written by the parent; empty if there is no scene.
   std::string readScene();
-  /// Leaves a scene for the parent; false where there is no room.
+  /// Leaves a scene for the parent; false if there is no room.
   bool writeScene(const std::string& bytes);
 
  private:

@@ -10,13 +10,13 @@
 
 namespace hapticell::importer {
 
-/// What is read, and how.
+/// The file to read, and the options.
 struct Reading {
   std::filesystem::path file;                  ///< Absolute.
-  std::optional<double> metres_per_unit = {};  ///< Where another unit than the file's was chosen.
+  std::optional<double> metres_per_unit = {};  ///< If a unit other than the file's was chosen.
   workcell::Tessellation tessellation = {};
   double relative_chord = 0.0;  ///< As in workcell::ImportOptions.
-  std::set<int> skipped = {};   ///< Parts at which earlier runs broke down, by the number of beginPart().
+  std::set<int> skipped = {};   ///< Parts at which earlier runs crashed, by the number of beginPart().
 };
 
 }  // namespace hapticell::importer

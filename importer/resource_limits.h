@@ -5,8 +5,8 @@
 
 namespace hapticell::importer {
 
-/// Bounds what this process may use: address space (bytes) and computing time (seconds), no core file; and lets it die
-/// with its parent. What the system does not grant is left as it is.
+/// Limits the resources of this process: address space (bytes) and processor time (seconds), no core file; and makes it
+/// end with its parent. Limits that the system does not grant are not changed.
 void limitResources(std::uint64_t bytes, std::uint64_t seconds);
 
 }  // namespace hapticell::importer

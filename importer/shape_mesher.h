@@ -20,17 +20,17 @@ using FaceColors = NCollection_DataMap<TopoDS_Shape, Quantity_Color, TopTools_Sh
 struct MeshedShape {
   geometry::TriangleMesh mesh;
   int faces = 0;
-  int missing_faces = 0;                      ///< Could not be cut into triangles.
-  std::optional<std::array<float, 3>> color;  ///< Of most of the coloured area, sRGB.
+  int missing_faces = 0;                      ///< Could not be meshed.
+  std::optional<std::array<float, 3>> color;  ///< The colour with the largest area, sRGB.
   bool several_colors = false;
 };
 
-/// Cuts a shape (millimetres) into triangles and scales it by `factor` to the size that was chosen. Corners of
-/// neighbouring faces are not merged. The chord is raised to 1e-5 of the shape's diagonal.
+/// Meshes a shape (millimetres) and scales it by `factor` to the chosen size. Corners of neighbouring faces are not
+/// merged. The chord error is raised to at least 1e-5 of the shape's diagonal.
 MeshedShape meshShape(const TopoDS_Shape& shape, double factor, const workcell::Tessellation& tessellation,
                       const FaceColors& colors);
 
-/// The numbers that stand in the file (OpenCASCADE keeps them linear).
+/// The numbers as in the file (OpenCASCADE stores them linear).
 std::array<float, 3> plainColor(const Quantity_Color& color);
 
 }  // namespace hapticell::importer

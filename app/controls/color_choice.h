@@ -8,8 +8,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// Asks for any colour of a part, beginning at `now`, in a dialog of the window's theme; `take` gets what was chosen.
-/// Where the scene shows it quieter than it is, a message says so and how to change that. GUI thread; returns at once.
+/// Opens a dialog in the window's theme to choose any colour for a part, starting at `now`; `take` gets the choice. If
+/// the scene shows that colour quieter, a message says so and how to change it. GUI thread; returns at once.
 void choosePartColor(Host& host, const QColor& now, std::function<void(const QColor&)> take);
 
 }  // namespace hapticell::app

@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// The name of the icon that lists show an entity by.
+/// The name of the icon that stands for an entity in lists.
 inline const char* entityIcon(const workcell::Entity& entity) {
   switch (entity.kind()) {
     case workcell::EntityKind::kAssembly:

@@ -17,21 +17,21 @@ class Host;
 struct FrameCarrier {
   QString name;               ///< "fixture", "robot · link_3".
   workcell::EntityId to = 0;  ///< 0: the world.
-  std::string link = {};      ///< A robot's link; else empty.
+  std::string link = {};      ///< The link, if fixed to a robot; else empty.
   bool operator==(const FrameCarrier&) const = default;
 };
 
-/// The world, then all that the frame may be fixed to: solids, other frames, and robots link by link. Without the frame
-/// and what is attached to it.
+/// The world, then everything that `frame` can be fixed to: solids, other frames, and robots link by link. `frame`
+/// itself and what is attached to it are left out.
 std::vector<FrameCarrier> frameCarriers(const workcell::DocumentState& state, workcell::EntityId frame);
 
-/// What a frame of the cell goes with, to be chosen: the world, an entity, or a link of a robot. It keeps its place
-/// when that is changed. Hidden for all else. Each choice is one step of undo. GUI thread.
+/// Field for what a frame of the cell is fixed to: the world, an entity, or a link of a robot. The frame keeps its pose
+/// when this changes. Hidden for other entities. Each choice is one undo step. GUI thread.
 class FrameFields : public QWidget {
   Q_OBJECT
  public:
   explicit FrameFields(Host& host, QWidget* parent = nullptr);
-  /// Takes the newest of the chosen entity.
+  /// Shows the present state of the chosen entity.
   void showFrame(const workcell::Entity& entity);
 
  private:
@@ -40,7 +40,7 @@ class FrameFields : public QWidget {
   workcell::EntityId id_ = 0;
   QComboBox* carrier_;
   std::vector<FrameCarrier> carriers_;
-  int now_ = 0;  ///< The one that it is fixed to.
+  int now_ = 0;  ///< Index of what the frame is fixed to.
 };
 
 }  // namespace hapticell::app

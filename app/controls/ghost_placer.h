@@ -15,17 +15,17 @@ namespace hapticell::app {
 class Host;
 class PlaceFields;
 
-/// A new entity before it is added, as a ghost in the scene: it stands on the face under the pointer where that looks
-/// up, else on the floor (z = 0), turned as the fields say. A click gives the place to the fields and adds it; Escape,
-/// the right button, or another pick ends it. An open pick of the viewport all the while. GUI thread.
+/// Shows a new entity as a ghost in the scene before it is added: on the face under the pointer if that looks up, else
+/// on the floor (z = 0), turned as the fields say. A click copies the point to the fields and adds the entity; Escape,
+/// the right button, or another pick ends it. Runs as an open pick of the viewport. GUI thread.
 class GhostPlacer : public QObject {
  public:
-  /// `add` adds the thing where `place` says; it is called once a click.
+  /// `add` adds the entity at the pose that `place` gives; it is called once per click.
   GhostPlacer(Host& host, PlaceFields& place, std::function<void()> add, QObject* parent);
   ~GhostPlacer() override;
-  /// Begins with it, or shows it in place of what is shown. Its X_WE counts from the point and turn of the fields.
+  /// Starts with this entity, or replaces the shown one. Its X_WE is relative to the point and turn of the fields.
   void begin(const workcell::Entity& entity);
-  /// Nothing is added; nothing where it is not on.
+  /// Ends without adding anything. Does nothing if no ghost is shown.
   void end();
   bool isOn() const { return on_; }
 
@@ -40,8 +40,8 @@ class GhostPlacer : public QObject {
   Host& host_;
   PlaceFields& place_;
   std::function<void()> add_;
-  std::vector<RenderItem> items_;  ///< From the point and turn of the fields.
-  std::optional<dvec3> p_W_;       ///< Where it is shown.
+  std::vector<RenderItem> items_;  ///< Relative to the point and turn of the fields.
+  std::optional<dvec3> p_W_;       ///< Where the ghost is shown.
   QPointF pressed_;
   bool on_ = false;
 };

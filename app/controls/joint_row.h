@@ -9,11 +9,11 @@
 namespace hapticell::app {
 
 /// One joint: name, a scale from limit to limit with a knob, the value. Dragging the knob is one change from began() to
-/// ended(); arrow keys step by a degree (or millimetre), each a change of its own. Escape takes a drag back.
+/// ended(); each press of an arrow key is a change by one degree (or millimetre). Escape reverts a drag.
 class JointRow : public QWidget {
   Q_OBJECT
  public:
-  /// How a joint is shown: numbers in degrees or millimetres.
+  /// How the values of a joint are shown, in degrees or millimetres.
   struct Scale {
     QString name, unit;
     double lower = -180.0, upper = 180.0;
@@ -25,11 +25,11 @@ class JointRow : public QWidget {
   void setValue(double value);
   double value() const { return value_; }
   bool isDragged() const { return dragged_; }
-  /// Within a hundredth of the range (at most 2 units) of an end.
+  /// True within a hundredth of the range (at most 2 units) of a limit.
   bool isAtLimit() const;
-  /// "22.8°", in the units in force.
+  /// "22.8°", in the units that the user chose.
   QString valueText() const;
-  /// Pixel of a value on the scale.
+  /// Pixel position of a value on the scale.
   int pixelOf(double value) const;
   QSize sizeHint() const override { return {200, 22}; }
 
@@ -55,13 +55,13 @@ class JointRow : public QWidget {
   QRect track() const;
   Scale scale_;
   double value_ = 0.0;
-  double shown_ = 0.0;  ///< That was painted last.
+  double shown_ = 0.0;  ///< The value that was painted last.
   bool dragged_ = false;
 };
 
-/// The scale of a joint: limits in degrees or millimetres; its own name where that is short, else "A1".
+/// The scale of a joint: limits in degrees or millimetres; the joint's name if it is short, else "A1".
 JointRow::Scale scaleOf(const kinematics::Joint& joint, std::size_t number);
-/// What one of the scale's units is: radians or metres.
+/// Size of one unit of the scale, in radians or metres.
 double unitOf(const kinematics::Joint& joint);
 
 }  // namespace hapticell::app

@@ -14,7 +14,7 @@ namespace hapticell::app {
 class Host;
 class ValueField;
 
-/// Fields for the place of a new entity: X, Y, Z, a turn about Z, and a button that takes a point of the scene. Two
+/// Fields for the placement of a new entity: X, Y, Z, a turn about Z, and a button to pick a point in the scene. Two
 /// rows for a section of a panel.
 class PlaceFields : public QWidget {
   Q_OBJECT

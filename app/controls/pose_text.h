@@ -12,15 +12,15 @@ namespace hapticell::app {
 ///
 /// A and C lie in (-180, 180], B in [-90, 90]; at B = ±90 (gimbal lock) C is 0. `q` is a unit quaternion.
 std::array<double, 3> abcDegrees(const dquat& q);
-/// The rotation of three such angles, any size.
+/// The rotation for three such angles of any size.
 dquat fromAbcDegrees(const std::array<double, 3>& abc);
 
-/// X, Y, Z in millimetres and A, B, C in degrees, as fields show a pose; and back.
+/// Converts a pose to the numbers that fields show: X, Y, Z in millimetres and A, B, C in degrees; and back.
 std::array<double, 6> poseNumbers(const Pose& X);
 Pose poseFromNumbers(const std::array<double, 6>& numbers);
 
-/// The tool centre point of a robot in the world, with its root at X_WB and its variables at `joints`.
-/// The root's pose where the robot has no such tip link.
+/// The pose of a robot's tool centre point in the world, with its root at X_WB and its joint variables at `joints`.
+/// Returns the root's pose if the robot has no such tip link.
 Pose tcpPose_W(const workcell::Entity& robot, const Pose& X_WB, const std::vector<double>& joints);
 
 }  // namespace hapticell::app

@@ -12,40 +12,40 @@ namespace hapticell::app {
 
 class Host;
 
-/// Something whose axes and origin numbers can be given in: a frame of the cell, or an entity's own frame.
+/// Something in whose axes and from whose origin numbers can be given: a frame of the cell, or an entity's own frame.
 struct Reference {
   QString name;                   ///< "Station", "fixture · grip".
-  workcell::EntityId entity = 0;  ///< The frame itself, or whose it is.
+  workcell::EntityId entity = 0;  ///< The frame of the cell, or the entity that has the frame.
   std::string frame = {};         ///< The entity's own frame; empty: a frame of the cell.
   bool operator==(const Reference&) const = default;
 };
 
-/// All of a cell, those of the cell first. Without `without` and what is attached to it: nothing is given in itself.
+/// All references of a cell, its own frames first; without `without` and what is attached to it.
 std::vector<Reference> referencesOf(const workcell::DocumentState& state, workcell::EntityId without = 0);
 
-/// A list to choose a reference from: the frames of the cell behind some fixed entries ("World"). It follows the
-/// document; where the chosen frame cannot be chosen any longer the first entry is, until it can again. GUI thread.
+/// A list to choose a reference from: some fixed entries ("World"), then the frames of the cell. It follows the
+/// document: while the chosen frame is not available, the first entry is selected. GUI thread.
 class ReferenceChoice : public QComboBox {
   Q_OBJECT
  public:
   /// `fixed`: the entries before the frames; may be empty.
   ReferenceChoice(Host& host, const QStringList& fixed, QWidget* parent = nullptr);
 
-  /// From now on `entity` and what is attached to it is left out.
+  /// Leaves out `entity` and what is attached to it from now on.
   void leaveOut(workcell::EntityId entity);
-  /// There is at least one frame to choose.
+  /// True if there is at least one frame to choose.
   bool hasFrames() const { return !references_.empty(); }
-  /// Index of the fixed entry; -1: a frame is chosen, or there is nothing to choose.
+  /// Index of the fixed entry; -1 if a frame is chosen, or if there is nothing to choose.
   int fixedEntry() const;
-  /// Where the chosen frame stands now; nothing for a fixed entry.
+  /// The present pose of the chosen frame; empty for a fixed entry.
   std::optional<Pose> frame_W() const;
-  /// The chosen frame moves when `entity` does.
+  /// True if the chosen frame moves with `entity`.
   bool goesWith(workcell::EntityId entity) const;
 
  signals:
-  /// The user chose another entry, or the chosen frame is gone or moved.
+  /// The user chose another entry, or the chosen frame was removed or moved.
   void referenceChanged();
-  /// Whether there are frames has changed.
+  /// The first frame became available, or the last one was removed.
   void framesListed();
 
  private:
@@ -55,7 +55,7 @@ class ReferenceChoice : public QComboBox {
   int fixed_ = 0;
   workcell::EntityId without_ = 0;
   std::vector<Reference> references_;
-  std::optional<Reference> wanted_;  ///< What the user chose, also while it cannot be; nothing: a fixed entry.
+  std::optional<Reference> wanted_;  ///< What the user chose, even while it is not available; empty: a fixed entry.
 };
 
 }  // namespace hapticell::app

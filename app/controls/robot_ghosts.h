@@ -8,16 +8,16 @@
 
 namespace hapticell::app {
 
-/// The robot at other joints, with everything attached to it (grippers, gripped parts). Empty where the document has no
-/// such robot.
+/// The robot at other joint values, with everything attached to it (grippers, gripped parts). Empty if the document has
+/// no such robot.
 std::vector<GhostPose> robotGhosts(const workcell::DocumentState& state, workcell::EntityId robot,
                                    const std::vector<double>& joints, bool touches = false);
 
-/// Any entity elsewhere, with all that hangs on it.
+/// Any entity at another pose, with everything attached to it.
 std::vector<GhostPose> entityGhosts(const workcell::DocumentState& state, workcell::EntityId entity, const Pose& X_WE,
                                     const std::vector<double>& joints, bool touches = false);
 
-/// Joints at a share `s` (0 .. 1) of the straight way between two.
+/// Joint values at a fraction `s` (0 to 1) of the straight line between the two.
 std::vector<double> jointsBetween(const std::vector<double>& from, const std::vector<double>& to, double s);
 
 }  // namespace hapticell::app

@@ -8,12 +8,12 @@
 
 namespace hapticell::app {
 
-/// Small pictures of robots for lists, by a renderer that is made with the first picture. GUI thread.
+/// Small pictures of robots for lists. The renderer is made with the first picture. GUI thread.
 class RobotPicture {
  public:
-  /// The entities alone, seen from the front right above. `size` in device pixels. A null image where there is no
+  /// Draws these entities alone, seen from above, front right. `size` in device pixels. Returns a null image without
   /// OpenGL 3.3.
-  /// `nearer`: times as near as a ball about all of it would have it; a wide picture of an arm bears more than 1.
+  /// `nearer`: zoom, where 1 just fits a ball around everything; wide pictures of an arm allow more than 1.
   QImage draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme, double nearer = 1.0);
 
  private:

@@ -14,7 +14,7 @@ constexpr const char* severityIcon(Severity severity) {
   return severity == Severity::kWarning ? "warning" : "info";
 }
 
-/// Its colour.
+/// The colour of that icon.
 inline QColor severityColor(Severity severity, const Theme& theme) {
   if (severity == Severity::kProblem) return theme.contact;
   return severity == Severity::kWarning ? theme.near_miss : theme.selection;

@@ -8,25 +8,25 @@
 
 namespace hapticell::app {
 
-/// Seconds along pixels that a chart is laid on, so that it shares another widget's axis and cursor.
+/// Relates time to pixels for a chart, so that it shares another widget's time axis and cursor.
 struct StripTimes {
   double left = 0.0, right = 1.0;      ///< Pixels of the drawn range.
-  double begin_s = 0.0, end_s = 20.0;  ///< The snapshots' time there.
+  double begin_s = 0.0, end_s = 20.0;  ///< Snapshot times at these pixels.
 };
 
-/// Force on the hand and nearest free gap over the last seconds, below them the rates of the haptic and the
-/// collision loop; the cursor reads all at its time.
+/// Force on the hand and smallest clearance over the last seconds; below them, the rates of the haptic and the
+/// collision loop. The cursor reads all of them at its time.
 class StripChart : public QWidget {
   Q_OBJECT
  public:
   explicit StripChart(double length_s = 20.0, QWidget* parent = nullptr);
-  /// From now on it has neither times nor rates of its own.
+  /// Uses these times from now on. The chart then shows no time axis and no rates of its own.
   void setTimes(const StripTimes& times);
-  /// Takes the newest state; draws at most 30 times a second, and only while seen.
+  /// Takes the newest state; draws at most 30 times a second, and only while visible.
   void take(const std::optional<manipulation::SceneSnapshot>& snapshot);
   /// The near-miss distance (m) and the device's peak force (N; 0: none).
   void setLevels(double near_miss_m, double peak_n);
-  /// Another document follows.
+  /// Clears the chart, for another document.
   void clear();
   const StripHistory& history() const { return history_; }
   QSize minimumSizeHint() const override { return {320, times_ ? 70 : 140}; }

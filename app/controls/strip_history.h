@@ -10,15 +10,15 @@ namespace hapticell::app {
 /// One moment of the strip chart.
 struct StripSample {
   double time_s = 0.0;
-  double gap_m = 0.0;  ///< NaN while none is known.
+  double gap_m = 0.0;  ///< NaN while unknown.
   double force_n = 0.0;
   bool contact = false;
   bool near_miss = false;
-  double haptic_hz = 0.0, manipulation_hz = 0.0;  ///< Least of the merged ones.
+  double haptic_hz = 0.0, manipulation_hz = 0.0;  ///< Lowest of the merged samples.
 };
 
-/// Gap and force over the last seconds, oldest first. Samples closer together than a pixel is wide are merged so that
-/// neither the least gap nor the greatest force is lost. A value; GUI thread.
+/// Clearance and force over the last seconds, oldest first. Samples closer together than the width of a pixel are
+/// merged so that the smallest clearance and the greatest force are kept. A value; GUI thread.
 class StripHistory {
  public:
   explicit StripHistory(double length_s = 20.0, double step_s = 0.025) : length_s_(length_s), step_s_(step_s) {}

@@ -21,9 +21,9 @@ struct EditSteps {
   double angle = 0.0;   ///< rad
 };
 
-/// Moves and turns what is selected by the mouse, along and about the axes of world, parent, the entity itself or a
-/// frame of the cell, at the place that the hand would take it by (HoldChoice). Several go together. A drag is one step
-/// of undo; Escape takes it back. Nothing that a module holds is moved. GUI thread.
+/// Moves and turns the selection by mouse, along and about the axes of the world, the parent, the entity itself or a
+/// frame of the cell; the gizmo's origin is where the hand would take the entity (HoldChoice). Selected entities move
+/// together. A drag is one undo step; Escape reverts it. What a module holds is not moved. GUI thread.
 class EntityGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
@@ -35,22 +35,22 @@ class EntityGizmo final : public QObject, public PointerTool {
   Mode mode() const { return mode_; }
   void setMode(Mode mode);
   EditAxes axes() const { return axes_; }
-  /// `R_WF`: the axes for kFrame.
+  /// `R_WF`: the axes for EditAxes::kFrame.
   void setAxes(EditAxes axes, const dquat& R_WF = {1.0, 0.0, 0.0, 0.0});
   void setSteps(const EditSteps& steps) { steps_ = steps; }
-  /// Whether drags go to corners, edges, faces and frames under the pointer; Ctrl turns it round while held.
+  /// Whether drags snap to corners, edges, faces and frames under the pointer; Ctrl inverts it while held.
   void setSnapping(bool on) { snapping_ = on; }
   bool snapping() const { return snapping_; }
 
-  /// The frame that it stands in now; nothing where nothing that may be moved is selected.
+  /// The gizmo's present frame; empty if nothing that may be moved is selected.
   std::optional<Pose> pose_W() const;
-  /// Moves by these numbers along and about its axes, turned first: x, y, z (m), and a rotation vector (rad). One step.
+  /// Moves by x, y, z (m) and a rotation vector (rad) along and about the gizmo's axes; turns first. One undo step.
   void moveBy(const Twist& motion_G);
-  /// The same motion for all that is selected, given in W; one step with this text.
+  /// Applies this motion, given in W, to everything that is selected; one undo step with this text.
   void applyMotion(const Pose& M_W, const QString& text);
-  /// Draws it where its entities stand now.
+  /// Draws the gizmo at the present pose of its entities.
   void showNow();
-  /// Takes a drag back; false where none is.
+  /// Reverts a drag; false if nothing is dragged.
   bool cancel();
 
   bool press(const PointerEvent& event) override;
@@ -61,18 +61,18 @@ class EntityGizmo final : public QObject, public PointerTool {
 
  signals:
   void modeChanged();
-  /// While a drag goes on: how far along x, y, z (m) and about them (rad) since it began.
+  /// Emitted during a drag: motion along x, y, z (m) and about them (rad) since it began.
   void dragged(const hapticell::Twist& motion_G);
 
  private:
   struct Drag {
     Gizmo gizmo;
     Gizmo::Handle handle;
-    double from = 0.0;   // Value, or
-    dvec3 p_WFrom{0.0};  // point where the free middle was taken.
+    double from = 0.0;   // Value at the start, or the
+    dvec3 p_WFrom{0.0};  // point where the middle handle was taken.
     std::vector<workcell::EntityId> ids;
-    std::vector<Pose> X_WE;  // As it began, of each.
-    QString number;          // How far it is by now.
+    std::vector<Pose> X_WE;  // Of each entity, at the start.
+    QString number;          // The distance or angle so far, as text.
     std::optional<SnapPoint> snap;
   };
   Gizmo gizmoAt(const Pose& X_WG, const Camera& camera, const ViewSize& view) const;

@@ -11,9 +11,9 @@ namespace hapticell::app {
 
 class Host;
 
-/// "Insert, Frame": axes follow the pointer over the scene, onto corners, edges, faces, other frames, or the floor
-/// (z = 0); a click puts a frame there, as one step of undo, and selects it. Escape, the right button, or another pick
-/// ends it. An open pick of the viewport all the while. GUI thread.
+/// "Insert, Frame": draws axes that follow the pointer over the scene, onto corners, edges, faces, other frames, or the
+/// floor (z = 0). A click inserts a frame there as one undo step and selects it. Escape, the right button, or another
+/// pick ends it. Runs as an open pick of the viewport. GUI thread.
 class FramePlacer : public QObject {
  public:
   explicit FramePlacer(Host& host, QObject* parent = nullptr);
@@ -30,7 +30,7 @@ class FramePlacer : public QObject {
   void forget();
   void insert(const Pose& X_WF);
   Host& host_;
-  std::optional<Pose> X_WF_;  ///< Where it is shown.
+  std::optional<Pose> X_WF_;  ///< Where the axes are shown.
   QPointF pressed_;
   bool on_ = false;
 };

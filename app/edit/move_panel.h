@@ -18,13 +18,13 @@ class ReferenceChoice;
 class Segmented;
 class ValueField;
 
-/// Move and rotate in numbers: whose axes, about which point, how far; steps and snapping of drags; putting a picked
-/// place of the selection onto another. What it changes of the gizmo is remembered.
+/// Moves and rotates by numbers: whose axes, about which point, how far; steps and snapping of drags; puts a picked
+/// feature of the selection onto another one. Remembers the gizmo's settings that it changes.
 class MovePanel : public QWidget {
   Q_OBJECT
  public:
   MovePanel(Host& host, EntityGizmo& gizmo, QWidget* parent = nullptr);
-  /// Takes steps, axes and snapping from the settings, as at the start.
+  /// Reads steps, axes and snapping from the settings, as at the start.
   void readSettings();
 
  private:
@@ -46,7 +46,7 @@ class MovePanel : public QWidget {
   EntityGizmo& gizmo_;
   QLabel *title_, *note_;
   Segmented *mode_, *axes_, *about_;
-  ReferenceChoice* frame_;  ///< Whose axes, where those of a frame are meant.
+  ReferenceChoice* frame_;  ///< The frame whose axes are used, for EditAxes::kFrame.
   QWidget* frame_row_;
   std::array<ValueField*, 6> numbers_{};
   QPushButton *apply_, *onto_;

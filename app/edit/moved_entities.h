@@ -8,27 +8,27 @@
 
 namespace hapticell::app {
 
-/// Whose axes a move follows; kFrame: those of a frame that is chosen.
+/// Whose axes a move follows; kFrame: those of the chosen frame.
 enum class EditAxes { kWorld, kParent, kOwn, kFrame };
 
-/// The parent of an entity: the link or solid that carries it, else the entity it stands below in the tree; identity
-/// where there is neither.
+/// The pose of an entity's parent: the link or solid that carries it, else the entity above it in the tree; identity if
+/// it has neither.
 Pose parentPose_W(const workcell::DocumentState& state, const workcell::Entity& entity);
 
-/// Those of `ids` that a common move places: locked ones are left out, and so are those that another of them takes
-/// along (it stands below or hangs on it).
+/// The entities of `ids` that a common move places. Leaves out locked entities, and those that another of `ids` already
+/// moves (because they are below it in the tree or attached to it).
 std::vector<workcell::EntityId> movedTogether(const workcell::DocumentState& state,
                                               const std::vector<workcell::EntityId>& ids);
 
-/// The commands that take each of them from its pose X_WE to M_W * X_WE. Unknown ids are left out.
+/// The commands that move each entity from its pose X_WE to M_W * X_WE. Unknown ids are left out.
 std::vector<workcell::Command> moveCommands(const workcell::DocumentState& state,
                                             const std::vector<workcell::EntityId>& ids, const Pose& M_W);
 
-/// `value` moved to the next multiple of `step` (0: as it is).
+/// `value` rounded to a multiple of `step` (0: unchanged).
 double stepped(double value, double step);
 
-/// The motion that puts frame F of a part onto frame T of another: origins meet; `align`: and so do the axes, with z
-/// against z where `face_to_face` (a face put onto a face).
+/// The motion that puts frame F of a part onto frame T of another one. Origins meet; with `align`, axes meet too, with
+/// the z axes opposed if `face_to_face` (a face put onto a face).
 Pose motionOnto(const Pose& X_WF, const Pose& X_WT, bool align, bool face_to_face);
 
 }  // namespace hapticell::app

@@ -21,18 +21,18 @@ class Host;
 class PlaceFields;
 class ValueField;
 
-/// "Insert part": the built-in parts with pictures, their sizes, where one shall stand, and the button that adds it as
-/// one step of undo. One that is clicked follows the pointer over the scene as a ghost until a click there inserts it.
-/// A gripper can be mounted on a robot: it stands on the flange, is attached to it, and the robot's tool centre point
-/// moves between its fingers where it was at the flange.
+/// "Insert part": the built-in parts with pictures, their sizes, the placement of a new part, and the button that adds
+/// it as one undo step. A part that is clicked follows the pointer over the scene as a ghost until a click there
+/// inserts it. A gripper can be mounted on a robot: it is placed on the flange and attached to it; if the robot's tool
+/// centre point was at the flange, it moves to between the fingers.
 class PartPanel : public QWidget {
   Q_OBJECT
  public:
   explicit PartPanel(Host& host, QWidget* parent = nullptr);
-  /// By its scheme: "table".
+  /// Chooses a part by its scheme: "table".
   void choose(const QString& scheme);
   void insert();
-  /// The part as its fields say, standing where they say; nothing where the sizes cannot be used.
+  /// The part with the sizes and the placement of the fields; empty if the sizes cannot be used.
   std::optional<workcell::Entity> part() const;
 
  protected:

@@ -13,13 +13,13 @@ namespace hapticell::app {
 class Host;
 class ValueField;
 
-/// The sizes of a built-in part that is in the cell already, to be changed again: a bench's height. What is attached to
-/// it goes up and down with its top. Hidden for anything else. Each edit is one step of undo. GUI thread.
+/// The sizes of a built-in part that is already in the cell, such as a bench's height, for changing. What is attached
+/// to its top moves with the top. Hidden for anything else. Each edit is one undo step. GUI thread.
 class PartSizes : public QWidget {
   Q_OBJECT
  public:
   explicit PartSizes(Host& host, QWidget* parent = nullptr);
-  /// Takes the newest sizes of the chosen solid.
+  /// Shows the present sizes of the chosen solid.
   void showPart(const workcell::Entity& solid);
 
  private:

@@ -9,14 +9,14 @@
 
 namespace hapticell::app {
 
-/// A place that a dragged part may snap to.
+/// A point that a dragged part may snap to.
 struct SnapPoint {
-  Pose X_WS;     ///< Its point; axes as featureFrame_W() has them, or those of a frame.
+  Pose X_WS;     ///< Origin: the point; axes as featureFrame_W() has them, or those of a frame.
   QString text;  ///< "Corner", "Frame grip of gripper".
 };
 
-/// The snap point under the pointer: a named frame or an origin before a corner, an edge or a face. Entities of
-/// `without` are looked through.
+/// The snap point under the pointer: a named frame or an origin is preferred to a corner, an edge or a face. Looks
+/// through the entities of `without`.
 std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& position,
                                 const std::vector<workcell::EntityId>& without);
 

@@ -5,8 +5,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// The docks of the ergonomics: scores, task data, report and scores over time, with their entries in the Mannequin
-/// menu. To be called after addMannequinDocks().
+/// Adds the docks of the ergonomics: scores, task data, report and scores over time, with their entries in the
+/// Mannequin menu. Call it after addMannequinDocks().
 void addErgonomicsDocks(Host& host);
 
 }  // namespace hapticell::app

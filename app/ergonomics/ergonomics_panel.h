@@ -20,17 +20,17 @@ class ScoreColumns;
 class Segmented;
 class SubScoreTable;
 
-/// The scores while the hand is dragged: method, four bodies, why, sub-scores, and the scores by height of the work.
+/// The scores while the hand is dragged: method, four bodies, reasons, sub-scores, and scores by height of the work.
 class ErgonomicsPanel : public QWidget {
   Q_OBJECT
  public:
   ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent = nullptr);
   ergonomics::ColourMethod method() const { return tab_.method; }
-  /// The method that the scene's labels speak of.
+  /// The method whose scores the labels in the scene show.
   ergonomics::PostureMethod labelledMethod() const;
-  /// The column that is chosen; -1: none.
+  /// The chosen column; -1: none.
   int chosenBody() const;
-  /// Whether all four bodies are to be seen in the scene.
+  /// Whether the scene shows all four bodies.
   bool showsAllBodies() const;
 
  signals:
@@ -42,7 +42,7 @@ class ErgonomicsPanel : public QWidget {
   void bodyChosen(int body);
 
  private:
-  // What the panel is made of, from above.
+  // The pieces of the panel, from top to bottom.
   QWidget* makeEmptyPage();
   QWidget* makeMethodRows();
   QWidget* makeWhyBox();
@@ -55,17 +55,17 @@ class ErgonomicsPanel : public QWidget {
   void takeBetterPosture();
   QString whyText() const;
   QString whyTitle() const;
-  /// The methods of the tab that is chosen; none on the one about loads.
+  /// The methods of the chosen tab; empty on the tab about loads.
   std::vector<ergonomics::PostureMethod> shownMethods() const;
-  /// What the button shows: the first of the tab's methods that knows a better place.
+  /// What the button offers: the better placement from the first of the tab's methods that has one.
   const ergonomics::BetterPlace* betterPlace() const;
   void chooseOwnLimits();
   MannequinContext& context_;
   LiveScores& scores_;
-  /// What is chosen above the scores.
+  /// What is chosen in the tabs above the scores.
   struct Tab {
     ergonomics::ColourMethod method = ergonomics::ColourMethod::kRula;
-    bool shows_load = false;  ///< The tab about lifting and forces, which has no colours of its own.
+    bool shows_load = false;  ///< The tab about lifting and forces, which has no colours.
   } tab_;
   QWidget *empty_, *content_;
   Segmented* methods_;

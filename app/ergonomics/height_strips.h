@@ -7,7 +7,7 @@ namespace hapticell::app {
 
 class LiveScores;
 
-/// RULA of four bodies by the height of the work, with where it is now and where the worst body fares best.
+/// RULA of four bodies by the height of the work, with the present height and the best height for the worst body.
 class HeightStrips : public QWidget {
   Q_OBJECT
  public:

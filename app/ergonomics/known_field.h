@@ -10,13 +10,13 @@ class QCheckBox;
 
 namespace hapticell::app {
 
-/// A number with a box that says whether it is known. GUI thread.
+/// A number with a check box that says whether it is known. GUI thread.
 class KnownField : public QWidget {
   Q_OBJECT
  public:
-  /// The field has the object name `name`, the box the same with "Known" behind it; `words` for screen readers.
+  /// The field gets the object name `name`, the box `name` plus "Known"; `words` for screen readers.
   KnownField(const char* name, const QString& words, const ValueField::Format& format, QWidget* parent = nullptr);
-  /// A field that is being typed into keeps its number.
+  /// Sets the value, unless the user is typing into the field.
   void setValue(const std::optional<double>& value);
   ValueField& field() { return *field_; }
 

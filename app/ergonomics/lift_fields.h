@@ -14,11 +14,11 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// The section *Lifting (NIOSH)* of a task: whether a load is lifted, how far and how far aside. GUI thread.
+/// The section *Lifting (NIOSH)* of a task: whether a load is lifted, how far and how far to the side. GUI thread.
 class LiftFields : public QObject {
   Q_OBJECT
  public:
-  /// Changes the task that is shown.
+  /// A function that changes the shown task.
   using Change = std::function<void(const std::function<void(ergonomics::WorkTask&)>&)>;
   LiftFields(QVBoxLayout& column, Change change, QObject* parent = nullptr);
   void show(const ergonomics::WorkTask& task);

@@ -16,42 +16,42 @@ namespace hapticell::app {
 class MannequinContext;
 
 /// The scores of the mannequin's present posture, at every frame in which it moves: all methods, both sides, four
-/// bodies at the same task; and, when it stops moving, suggestions to lower the score. GUI thread; what takes long runs
-/// beside it.
+/// bodies at the same task; and, when it stops moving, suggestions to lower the score. GUI thread; long computations
+/// run in the background.
 class LiveScores : public QObject {
   Q_OBJECT
  public:
   explicit LiveScores(MannequinContext& context, QObject* parent = nullptr);
 
-  /// Another document follows: nothing is scored any more.
+  /// Drops all scores, for another document.
   void clear();
-  /// Looks whether anything moved and scores it; to be called at each frame.
+  /// Checks whether anything moved, and scores it; call it at each frame.
   void look();
   bool isEmpty() const { return !scores_.has_value(); }
   const ergonomics::PostureScores& scores() const { return *scores_; }
   const mannequin::Posture& posture() const { return posture_; }
   const std::shared_ptr<const mannequin::Figure>& figure() const { return figure_; }
-  /// The document's task of this mannequin; where it has none, one in which nothing is entered.
+  /// The document's task for this mannequin; an empty task if it has none.
   const ergonomics::WorkTask& task() const { return task_; }
   bool hasTask() const { return has_task_; }
-  /// The user's own limits of the hands' force, from the last chosen file; empty without such a file.
+  /// The user's own limits for the force of the hands, from the file that was chosen last; empty without such a file.
   const ergonomics::ForceTable& ownLimits() const { return own_limits_; }
-  /// Reads a table and keeps its name for the next start; an empty name forgets it. What cannot be read changes
-  /// nothing.
+  /// Reads a table and remembers its file for the next start; an empty name forgets it. If the file cannot be read,
+  /// nothing changes.
   Expected<void> chooseOwnLimits(const QString& file);
   const std::vector<ergonomics::BodyAtTask>& bodies() const { return bodies_; }
-  /// Which of bodies() is of the mannequin's own size; -1: none.
+  /// Index in bodies() of the body with the mannequin's own size; -1: none.
   int ownBody() const;
 
-  /// Of the posture at rest.
+  /// Suggestions for the posture at rest.
   struct Advice {
     std::array<ergonomics::MethodAdvice, ergonomics::kPostureMethods.size()> methods;
     ergonomics::BetterPlaces better;
-    std::optional<ergonomics::LiftingAdvice> lift;  ///< Where the task is a lift that the equation takes.
+    std::optional<ergonomics::LiftingAdvice> lift;  ///< If the task is a lift that the equation applies to.
     std::vector<double> rises;                      ///< m
     std::vector<std::vector<int>> by_height;        ///< RULA of each body; 0: out of reach.
-    std::optional<double> best_rise;                ///< With the least worst score, nearest to now.
-    double target_height = 0.0;                     ///< m, of the active hands now.
+    std::optional<double> best_rise;                ///< Lowest worst score, nearest to now.
+    double target_height = 0.0;                     ///< m, present height of the active hands.
   };
   const std::optional<Advice>& advice() const { return advice_; }
   /// "Nearest: upper arm 97° to 45° gives RULA 4. Lowering the work by 70 mm gives RULA 4."

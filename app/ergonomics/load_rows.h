@@ -9,8 +9,8 @@ namespace hapticell::app {
 
 class LiveScores;
 
-/// The lifting equation's multipliers with its limit and index (or why it is refused), then what each hand bears, how
-/// near that is to the methods' next class, and the moments at elbow, shoulder and low back.
+/// The lifting equation's multipliers with its limit and index (or why it cannot be applied), then the load on each
+/// hand, how near that is to the methods' next class, and the moments at elbow, shoulder and low back.
 std::vector<SubScoreTable::Row> loadRows(const LiveScores& scores);
 
 }  // namespace hapticell::app

@@ -19,39 +19,39 @@ class MotionScoresModel : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  /// Begins to read a BVH, AMC (the ASF beside it) or C3D file and to score it with the task. `figure` is the
+  /// Starts reading a BVH, AMC (with the ASF next to it) or C3D file and scoring it with the task. `figure` is the
   /// mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
   /// Scores the motion again if it was scored for another figure or task.
   void follow(const std::shared_ptr<const mannequin::Figure>& figure, const ergonomics::WorkTask& task);
-  /// As before the first motion; one that is being read is not taken.
+  /// Returns to the state before the first motion; ignores the result of a file that is still being read.
   void clear();
   bool isEmpty() const { return !motion_; }
   bool isBusy() const { return busy_; }
   QString name() const { return name_; }
   double seconds() const { return motion_ ? motion_->seconds : 0.0; }
   int frames() const { return motion_ ? static_cast<int>(motion_->postures.size()) : 0; }
-  /// On the mannequin, about the origin.
+  /// On the mannequin, relative to the origin.
   const mannequin::Posture& posture(int frame) const { return motion_->postures[static_cast<std::size_t>(frame)]; }
   /// RULA bands of body 0 to 3 (P5F to P95M), one a frame.
   const std::vector<int>& bands(std::size_t body) const { return motion_->bands[body]; }
   const std::vector<mannequin::Posture>& postures() const { return motion_->postures; }
-  /// "l_shoulder, internal rotation in 12 frames": limits that the recording goes beyond on this figure; nothing is
+  /// "l_shoulder, internal rotation in 12 frames": the limits of this mannequin that the recording exceeds; nothing is
   /// clamped. Empty: none.
   QString beyondLimits() const;
-  /// The one of these that lasts longest.
+  /// The limit that is exceeded for the longest time.
   QString mostBeyond() const;
-  /// What was found or taken where the file does not say it: the axis that is up, the marker set ...
+  /// What was detected or assumed because the file does not state it: the up axis, the marker set and so on.
   QString assumptions() const;
-  /// Share of the time in the two higher bands.
+  /// Fraction of the time in the two higher bands.
   double shareAbove(std::size_t body) const;
-  /// Where RULA of the own body stays at its highest; only while there is a motion.
+  /// The phase in which RULA of the own body stays at its highest. Only valid if there is a motion.
   const ergonomics::ScorePhase& worstPhase() const { return motion_->phase; }
-  /// The frame that represents it.
+  /// The frame that represents the worst phase.
   int worstFrame() const { return motion_ ? static_cast<int>(motion_->phase.shown) : 0; }
-  /// The same with its time span; empty while there is no motion.
+  /// The worst phase with its time span; empty if there is no motion.
   std::optional<ergonomics::MotionPhase> phase() const;
-  /// Of the worst phase's posture: four bodies at the same task, and where the work would be better.
+  /// For the posture of the worst phase: four bodies at the same task, and better placements of the work.
   const std::vector<ergonomics::BodyAtTask>& bodiesAtPhase() const { return motion_->bodies; }
   const ergonomics::BetterPlaces& placesAtPhase() const { return motion_->places; }
   int rulaAt(int frame) const { return motion_->own[static_cast<std::size_t>(frame)]; }
@@ -59,7 +59,7 @@ class MotionScoresModel : public QObject {
 
  signals:
   void changed();
-  void opened();  ///< Another motion is there, after changed().
+  void opened();  ///< Another motion was opened; emitted after changed().
   void failed(const QString& why);
 
  private:
@@ -67,7 +67,7 @@ class MotionScoresModel : public QObject {
     std::vector<mannequin::Posture> postures;
     std::array<std::vector<int>, 4> bands;
     std::vector<int> own;
-    std::map<std::string, int> beyond;  ///< Frames by limit.
+    std::map<std::string, int> beyond;  ///< Number of frames by limit.
     std::vector<Text> assumptions;
     double seconds = 0.0;
     ergonomics::ScorePhase phase;
@@ -83,7 +83,7 @@ class MotionScoresModel : public QObject {
   ergonomics::WorkTask task_;
   QString name_;
   bool busy_ = false;
-  int question_ = 0;  ///< The newest; what an older one gives is not taken.
+  int question_ = 0;  ///< Number of the newest request; results of older ones are ignored.
 };
 
 }  // namespace hapticell::app

@@ -7,15 +7,15 @@
 
 namespace hapticell::app {
 
-/// Asks for numbers to be shown at most ten times a second: those that change faster are not read, and cost frames
-/// while a hand is drawn. GUI thread.
+/// Limits a refresh of numbers to ten times a second: numbers that change faster cannot be read, and cost frames while
+/// a hand is dragged. GUI thread.
 class PacedRefresh : public QObject {
   Q_OBJECT
  public:
   PacedRefresh();
-  /// They are to be shown: now, or a little later. `at_once`: now in any case.
+  /// Asks for a refresh: now, or a little later. `at_once`: now in any case.
   void ask(bool at_once);
-  /// They have been shown.
+  /// The numbers have been refreshed.
   void shown() { since_shown_.start(); }
 
  signals:

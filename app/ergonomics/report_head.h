@@ -12,16 +12,16 @@ namespace hapticell::app {
 
 class Host;
 
-/// Whose report it is: a company's name and logo, chosen once and kept with the user's settings. GUI thread.
+/// The heading of a report: a company's name and logo, chosen once and kept in the user's settings. GUI thread.
 class ReportHead : public QWidget {
   Q_OBJECT
  public:
   explicit ReportHead(Host& host, QWidget* parent = nullptr);
   std::string company() const;
-  /// Empty: none is chosen.
+  /// Empty if no logo is chosen.
   const ergonomics::ReportPicture& logo() const { return logo_; }
-  /// Takes a picture's file (PNG, JPEG, SVG) as the logo; the settings keep a copy of it. One that cannot be read is
-  /// said in a message, and the logo stays as it was: false.
+  /// Takes a picture file (PNG, JPEG, SVG) as the logo; the settings keep a copy of it. If it cannot be read, reports
+  /// that in a message, keeps the old logo and returns false.
   bool takeLogo(const QString& file);
   void dropLogo();
 

@@ -22,18 +22,18 @@ class MotionScoresModel;
 class ReportHead;
 class Segmented;
 
-/// The report's page as it will be written, as large as wanted, and its buttons: a posture's page or a task's, English
-/// or French, with the company's name and logo, to PDF, HTML, CSV or JSON. While there is a recorded motion the task's
-/// page is that of its worst phase.
+/// The report's page as it will be written, at the chosen size, and its buttons: the page of a posture or of a task, in
+/// English or French, with the company's name and logo, to PDF, HTML, CSV or JSON. If there is a recorded motion, the
+/// task's page shows its worst phase.
 class ReportPanel : public QWidget {
   Q_OBJECT
  public:
   ReportPanel(MannequinContext& context, const LiveScores& scores, const MotionScoresModel& motion,
               QWidget* parent = nullptr);
-  /// By the ending; false and a message where it cannot be.
+  /// Writes the format that the file's ending says; on failure returns false and shows a message.
   bool write(const QString& path);
   ergonomics::Report report() const;
-  /// What the last search for the workplace found; empty: none was made in this cell.
+  /// The result of the last workplace search; empty: none was made in this cell.
   void setWorkplace(std::optional<ergonomics::WorkplaceFinding> found);
 
  protected:
@@ -42,20 +42,20 @@ class ReportPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// All present data of the page.
+  /// All data that the page shows at present.
   ergonomics::PostureReportInput input() const;
   bool isOfTask() const;
   bool isOfPhase() const;
   QHBoxLayout* makeButtons();
   QHBoxLayout* makeChoices();
-  /// How wide the page is to be drawn, pixels of the window.
+  /// The width at which to draw the page, in pixels of the window.
   int pageWidth() const;
   void zoomBy(int steps);
   void draw();
-  /// Once nothing has changed for a moment: a page that changes while a hand is drawn is not read, and costs frames.
+  /// Draws after a moment without changes: a page that changes during a drag cannot be read, and costs frames.
   void drawLater();
   void chooseFile();
-  /// Renders the picture of the figure in its cell again, smooth or quick.
+  /// Renders the picture of the mannequin in its cell again; `samples`: smooth or quick.
   void takeScene(int samples);
   MannequinContext& context_;
   const LiveScores& scores_;
@@ -67,7 +67,7 @@ class ReportPanel : public QWidget {
   QLabel *page_, *which_;
   int shown_page_ = 1, pages_ = 1;
   bool drawing_ = false, again_ = false;
-  ergonomics::ReportPicture scene_;  ///< Of the posture that the page is about.
+  ergonomics::ReportPicture scene_;  ///< Of the posture that the page shows.
   std::optional<ergonomics::WorkplaceFinding> workplace_;
   std::optional<PictureRenderer> renderer_;
   QTimer wait_;

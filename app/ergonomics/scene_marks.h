@@ -12,15 +12,15 @@ namespace hapticell::app {
 class LiveScores;
 class MannequinContext;
 
-/// What the ergonomics say over the scene: labels with the angles at the joints that drive a method's score, the angles
-/// themselves drawn there, and the figure's strip. GUI thread.
+/// What the ergonomics draw over the scene: labels with the angles at the joints that drive a method's score, these
+/// angles drawn at the joints, and the mannequin's strip. GUI thread.
 struct SceneMarks {
   std::vector<OverlayLabel> labels;
   std::vector<SceneCurve> curves;
   std::vector<StripCell> strip;
 };
 
-/// Nothing while nothing is scored.
+/// Empty while nothing is scored.
 SceneMarks sceneMarks(const LiveScores& scores, const MannequinContext& context, ergonomics::PostureMethod method);
 
 }  // namespace hapticell::app

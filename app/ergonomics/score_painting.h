@@ -12,10 +12,10 @@ class QPainter;
 
 namespace hapticell::app {
 
-/// How a body segment of that band is drawn.
+/// The look of a body segment in this band.
 LinkLook lookOf(int band, const Theme& theme);
 
-/// One line of coloured pieces; `bands` are equally long, -1 leaves a gap.
+/// One row of coloured pieces; `bands` are equally long, -1 leaves a gap.
 void paintStrip(QPainter& painter, const QRectF& area, const std::vector<int>& bands, const Theme& theme);
 
 }  // namespace hapticell::app

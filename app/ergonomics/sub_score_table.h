@@ -8,8 +8,8 @@
 
 namespace hapticell::app {
 
-/// Sub-scores of the worse side in two columns: name, number, colour patch, reason. For EN 1005-4 and ISO 11226 the
-/// zones of the parts instead.
+/// Sub-scores of the worse side in two columns: name, number, colour patch, reason. For EN 1005-4 and ISO 11226, the
+/// zones of the body parts instead.
 class SubScoreTable : public QWidget {
   Q_OBJECT
  public:
@@ -27,7 +27,7 @@ class SubScoreTable : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Pixels for the names: what the longest needs, but not more than leaves room for the reasons.
+  /// Width of the names, pixels: that of the longest, but limited so that the reasons have room.
   double nameWidth() const;
 
   std::vector<Row> rows_;

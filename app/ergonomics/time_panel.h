@@ -15,7 +15,7 @@ class MotionScoresModel;
 class ScoreHistory;
 
 /// Ergonomics over time: the scores of four bodies along a recorded motion, with a cursor that shows the mannequin in
-/// that frame, play, worst phase and a button that takes the frame's posture.
+/// that frame, play, worst phase and a button that applies the frame's posture.
 class TimePanel : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class TimePanel : public QWidget {
   void open(const QString& path);
   /// Asks for a recording and opens it.
   void choose();
-  /// The motion on this mannequin as BVH; errors are shown in the messages.
+  /// Writes the motion on this mannequin as BVH; shows errors in the messages.
   bool saveMotion(const QString& path);
   int frame() const { return frame_; }
   void setFrame(int frame);

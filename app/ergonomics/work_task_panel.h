@@ -18,8 +18,8 @@ class LiftFields;
 class MannequinContext;
 class Segmented;
 
-/// Data of the task that a posture does not show: loads, repetition, hold, grip, duration, lift. Kept with the
-/// workcell; each change is one step of undo. What was not entered says so and makes scores partial.
+/// Task data that a posture does not show: loads, repetition, hold, grip, duration, lift. Kept with the workcell; each
+/// change is one undo step. Values that were not entered are marked as unknown and make scores partial.
 class WorkTaskPanel : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class WorkTaskPanel : public QWidget {
  private:
   void addPerson(QVBoxLayout& column);
   void addWork(QVBoxLayout& column);
-  /// The mannequin's task, else a new one for it.
+  /// The mannequin's task, or a new one for it.
   ergonomics::WorkTask present() const;
   void change(const std::function<void(ergonomics::WorkTask&)>& edit);
   void connectNumber(KnownField* field, std::function<std::optional<double>*(ergonomics::WorkTask&)> of);

@@ -23,9 +23,9 @@ class MannequinContext;
 class ValueField;
 class WorkplaceView;
 
-/// Finds the place of a table (and what is on it) for which the worst score of four bodies is least: the parts that are
-/// ticked may move, with what is attached to them, and nothing else; how far, standing or sitting; a map of the result,
-/// and a button that puts it there as one step of undo.
+/// Finds the placement of a table (and what is on it) at which the worst score of four bodies is lowest. Only the
+/// ticked parts move, with what is attached to them. Options: how far, standing or sitting. Shows a map of the result,
+/// and a button that moves the parts there as one undo step.
 class WorkplacePanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,7 +33,7 @@ class WorkplacePanel : public QWidget {
   ~WorkplacePanel() override;
   bool isBusy() const { return busy_; }
   const std::optional<manipulation::WorkplaceMap>& map() const { return map_; }
-  /// What was searched and found, for the report: the placement that is chosen in the map. Empty: nothing was.
+  /// What was searched and found, for the report: the placement that is chosen in the map. Empty: no search was made.
   std::optional<ergonomics::WorkplaceFinding> finding() const;
 
  signals:
@@ -44,7 +44,7 @@ class WorkplacePanel : public QWidget {
   void search();
   void showMap();
   void take();
-  /// Measures what the search promised of the place on the cell as it now is, and says where that is missed.
+  /// Measures the cell as it now is against what the search promised for this placement, and says where it falls short.
   void checkTaken(const manipulation::WorkplaceCell& place);
   void showMoves();
   /// The cell with the ticked parts.
@@ -60,12 +60,12 @@ class WorkplacePanel : public QWidget {
   QLabel *result_, *moves_;
   WorkplaceView* view_;
   std::optional<manipulation::WorkplaceMap> map_;
-  /// What was searched for: what map_ answers.
+  /// What was searched for: the request whose answer is map_.
   struct Asked {
     std::shared_ptr<const manipulation::WorkplaceQuestion> question;
     dvec3 ahead_W{1.0, 0.0, 0.0};
     std::vector<workcell::EntityId> station;
-    std::vector<std::string> moved;  ///< Names of all that the search moved.
+    std::vector<std::string> moved;  ///< Names of everything that the search moved.
   } asked_;
   struct Run {
     std::atomic<bool> cancel{false};
@@ -76,7 +76,7 @@ class WorkplacePanel : public QWidget {
   bool busy_ = false;
 };
 
-/// The placements as coloured squares: height up, distance across; the chosen one is framed.
+/// The placements as coloured squares: height upwards, distance to the right; the chosen one is framed.
 class WorkplaceView : public QWidget {
   Q_OBJECT
  public:

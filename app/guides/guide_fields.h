@@ -14,7 +14,7 @@ class QSlider;
 
 namespace hapticell::app {
 
-/// The numbers of a guide: its size, stops, detents, friction, help and locks, those that its kind has. GUI thread.
+/// The numbers of a guide, as far as its kind has them: size, stops, detents, friction, guidance and locks. GUI thread.
 class GuideFields : public QObject {
   Q_OBJECT
  public:

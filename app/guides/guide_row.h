@@ -7,7 +7,7 @@
 
 namespace hapticell::app {
 
-/// A field and what stands beside it, in the forms of guides.
+/// A field and the widgets next to it, as a row in the forms of guides.
 inline QWidget* guideRow(QWidget* field, std::initializer_list<QWidget*> more) {
   auto* holder = new QWidget;
   auto* row = new QHBoxLayout(holder);

@@ -15,10 +15,10 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// Where a change of the shown guide is sent.
+/// A function that receives a change of the shown guide.
 using GuideEdit = std::function<void(const std::function<void(workcell::Guide&)>&)>;
 
-/// A guide that has stops: a line, a hinge, a slider, a screw.
+/// True for kinds that have stops: line, hinge, slider, screw.
 bool hasStops(workcell::GuideKind kind);
 
 /// The row of a guide's lower and upper stop, in mm or degrees. GUI thread.

@@ -18,9 +18,9 @@ class Host;
 class SwitchList;
 struct PickedFeature;
 
-/// The guides of the cell: the list with its switches, and the editor of the chosen one. A guide is made by choosing
-/// its kind and picking its geometry in the scene; every edit is a command of the document, so it is felt at once and
-/// can be undone. The guides are drawn in the scene as dash-dot lines.
+/// The guides of the cell: the list with its switches, and the editor of the chosen one. To make a guide, the user
+/// chooses its kind and picks its geometry in the scene. Every edit is a command of the document, so it is felt at once
+/// and can be undone. The scene shows guides as dash-dot lines.
 class GuidesPanel : public QWidget {
   Q_OBJECT
  public:

@@ -5,8 +5,8 @@ class QWidget;
 
 namespace hapticell::app {
 
-/// Opens "About HaptiCell" over `parent`: the version, the licence, and the libraries it uses with theirs (the page
-/// docs/user/licences.md itself). A second call brings the open one to the front. Esc closes it.
+/// Opens "About HaptiCell" over `parent`: the version, the licence, and the libraries in use with their licences (the
+/// page docs/user/licences.md). A second call brings the open one to the front. Esc closes it.
 void showAbout(QWidget& parent);
 
 }  // namespace hapticell::app

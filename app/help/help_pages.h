@@ -7,7 +7,7 @@
 
 namespace hapticell::app {
 
-/// Pages of the manual that belong together, in the order in which they are read.
+/// Pages of the manual that belong together, in reading order.
 struct HelpChapter {
   QString title;      ///< In the window's language.
   QStringList pages;  ///< Names, see helpPage().
@@ -16,12 +16,12 @@ struct HelpChapter {
 /// The manual's contents: every page is in one chapter.
 std::vector<HelpChapter> helpContents();
 
-/// A page as Markdown, by its name (a panel's, "dockMove", or "firstSteps") and language ("en"). If no page has that
-/// name, the page about the scene; if it is not translated, the English page.
+/// A page as Markdown, by its name (a panel's, "dockMove", or "firstSteps") and language ("en"). Returns the page about
+/// the scene if there is no page of that name, and the English page if it is not translated.
 QString helpPage(const QString& name, const QString& language);
-/// What the page's heading says.
+/// The heading of a page.
 QString helpTitle(const QString& name, const QString& language);
-/// The names of the pages in which each word of `typed` stands, in any order and with or without accents; all where
+/// The names of the pages that contain each word of `typed`, in any order and with or without accents; all pages if
 /// nothing is typed.
 QStringList helpPagesWith(const QString& typed, const QString& language);
 

@@ -11,18 +11,18 @@ class QTreeWidgetItem;
 
 namespace hapticell::app {
 
-/// The manual: contents, a search in all pages, and the page, with the way back and forward. GUI thread.
+/// The manual: contents, a search in all pages, and the page, with *Back* and *Forward*. GUI thread.
 class HelpPanel : public QWidget {
   Q_OBJECT
  public:
   /// Markdown that is added to a page each time it is shown ("keys"); empty for most.
   using Addition = std::function<QString(const QString& page)>;
   HelpPanel(const QString& language, Addition addition, QWidget* parent = nullptr);
-  /// A page by its name; one that does not exist shows the scene's.
+  /// Shows a page by its name; an unknown name shows the scene's page.
   void showPage(const QString& name);
-  /// The name of the page that is shown.
+  /// The name of the shown page.
   QString page() const;
-  /// Writes the page again and keeps the reading position.
+  /// Fills the page again and keeps the reading position.
   void refresh();
 
  private:

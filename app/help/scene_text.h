@@ -10,8 +10,8 @@
 
 namespace hapticell::app {
 
-/// The scene in sentences, for who cannot see it and for reports: how many of what stand in the cell, what is selected
-/// and where, what is held, what touches or nearly does, which limit pushes back. Lines, most urgent first.
+/// The scene in sentences, for people who cannot see it and for reports: how many entities are in the cell, what is
+/// selected and where, what is held, what touches or nearly does, which limit pushes back. Most urgent line first.
 QString sceneText(const workcell::DocumentState& state, const std::vector<workcell::EntityId>& selected,
                   const SceneModel& scene);
 

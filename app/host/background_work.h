@@ -13,12 +13,12 @@
 
 namespace hapticell::app {
 
-/// Work on files in the background that ends with a sentence or a change of the document: exports, reports, reading
-/// shapes again. One piece after the other. GUI thread, but for the work itself.
+/// Work on files in the background that ends with a message or a change of the document: exports, reports, reading
+/// shapes again. One job after the other. GUI thread, except for the work itself.
 class BackgroundWork : public QObject {
   Q_OBJECT
  public:
-  /// Done in the worker; must not touch anything of the window. Gives what is then done in the window's thread.
+  /// Runs in the worker; must not touch anything of the window. Returns what to do afterwards in the window's thread.
   using Then = std::function<void()>;
   using Work = std::function<Expected<Then>(workcell::ImportMonitor& monitor)>;
   using Failed = std::function<void(const Error&)>;
@@ -27,16 +27,16 @@ class BackgroundWork : public QObject {
   /// Ends running work within a second, if that work checks its monitor.
   ~BackgroundWork() override;
 
-  /// `name` is shown while it lasts. What the work throws becomes an error.
+  /// `name` is shown while the work runs. An exception of the work becomes an error.
   void start(const QString& name, Work work, Failed failed);
   bool isBusy() const { return !runs_.empty(); }
   QString name() const;
   workcell::ImportProgress progress() const;
-  /// Gives up the piece that is under way.
+  /// Cancels the running job.
   void cancel();
 
  signals:
-  void progressed();  ///< Twenty times a second while busy, and once when all is done.
+  void progressed();  ///< Twenty times a second while busy, and once when all jobs are done.
 
  private:
   struct Run;

@@ -14,75 +14,75 @@
 
 namespace hapticell::app {
 
-/// The open document with signals. Everything that changes it goes through here. GUI thread.
+/// The open document with signals. Every change of it is made through this class. GUI thread.
 class DocumentModel : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
   const workcell::Document& document() const { return document_; }
-  /// Counts the documents that stood here: what was begun beside the window for one is not for the next.
+  /// Counts the documents opened so far: background work that was started for one document must not change the next.
   int number() const { return number_; }
-  /// Name for the window's title: the file's stem, "demo copy" for a sample that has no file of its own yet, or "New
+  /// Name for the window's title: the file's stem, "demo copy" for a sample that was not saved yet, or "New
   /// workcell".
   QString title() const;
-  /// Where it was read from: its own path, or that of the sample that it is a copy of; empty for a new one.
+  /// The file that it was read from: its own, or that of the sample that it is a copy of; empty for a new document.
   const std::filesystem::path& origin() const { return origin_; }
 
-  /// Does a command as one step of undo; refused() reports refused commands.
+  /// Executes a command as one undo step; refused() reports refused commands.
   bool execute(const workcell::Command& command);
-  /// Several commands as one step of undo, and one changed(); where one is refused, none is done.
+  /// Executes several commands as one undo step, with one changed(). If one is refused, none is executed.
   bool executeAll(const QString& text, const std::vector<workcell::Command>& commands);
-  /// Several commands as part of the step that is open, and one changed(); where one is refused the step holds those
-  /// before it, and nothing is reported: a drag asks again at the next place.
+  /// Executes several commands as part of the open step, with one changed(). If one is refused, the step keeps those
+  /// before it and nothing is reported: a drag tries again at its next pose.
   bool executeWithin(const std::vector<workcell::Command>& commands);
   void undo();
   void redo();
-  /// Undoes or does again until `steps` steps are done: what a click into the history asks for.
+  /// Undoes or redoes until `steps` steps are done: for a click into the history.
   void goTo(int steps);
 
-  /// From here to endStep() all commands are one step of undo with this text: a drag. cancelStep() takes them back.
+  /// Makes all commands until endStep() one undo step with this text, for a drag. cancelStep() reverts them.
   void beginStep(const QString& text);
   void endStep();
   void cancelStep();
 
-  /// From here to endTrial() what is moved is only tried: a trainee's run. The cell does not count as changed; at the
-  /// end everything returns to its place, without an undo step. Whatever else changes the cell, saves it or closes it
+  /// Until endTrial(), moves are only tried, as in a trainee's run: the cell does not count as changed, and at the end
+  /// everything returns to its placement without an undo step. Anything else that changes, saves or closes the cell
   /// ends the trial first.
   void beginTrial();
   void endTrial();
   bool inTrial() const { return trial_.has_value(); }
-  /// Whether it differs from its file; what is only tried is no difference.
+  /// Whether it differs from its file; moves of a trial do not count.
   bool isDirty() const { return trial_ ? trial_->dirty : document_.isDirty(); }
 
-  /// An empty document in place of this one.
+  /// Replaces the document by an empty one.
   void clear();
-  /// A document that was read elsewhere (files are never read in this thread) in place of this one.
+  /// Replaces the document by one that was read elsewhere (files are never read in this thread).
   void adopt(workcell::Document document);
-  /// The same, of a shipped sample: it has no file of its own until it is saved.
+  /// The same for a shipped sample: it has no file of its own until it is saved.
   void adoptCopy(workcell::Document document);
   Expected<void> save(const QString& path);
-  /// What an import made, as one step of undo, its file's frame F at X_WF. Gives the new ids in tree order.
+  /// Adds what an import made as one undo step, with the file's frame F at X_WF. Returns the new ids in tree order.
   Expected<std::vector<workcell::EntityId>> addImported(std::vector<workcell::Entity> entities, const Pose& X_WF = {});
 
  signals:
-  void changed();  ///< The document differs from before; undo and redo included.
+  void changed();  ///< The document changed, or its undo and redo did.
   void refused(const QString& sentence);
-  /// Another document will replace this one. Whoever keeps something of this one (what was picked, measured, played,
-  /// scored, drawn, chosen of it) drops it now, so that nothing of it is in the next; ids of its entities mean nothing
-  /// there.
+  /// Another document is about to replace this one. Everything that refers to this one (picked, measured, played,
+  /// scored, drawn or chosen) must be dropped now, so that it does not show in the next: entity ids of this document
+  /// mean nothing there.
   void closing();
-  void trialEnded();  ///< Everything is back at its place before the trial.
+  void trialEnded();  ///< Everything is back where it was before the trial.
   void opened();      ///< Another document has replaced it.
-  /// Saving put recordings beside the document (old to new path); before changed().
+  /// Saving put recordings next to the document (old path to new path); emitted before changed().
   void recordingsMoved(const std::map<std::string, std::string>& places);
 
  private:
   using Entities = std::vector<std::shared_ptr<const workcell::Entity>>;
   struct Trial {
-    bool dirty = false;            ///< Before it.
-    std::optional<Entities> step;  ///< Where all stood when the step that is open began.
+    bool dirty = false;            ///< The value before the trial.
+    std::optional<Entities> step;  ///< All placements at the start of the open step.
   };
-  /// Commands that are not motions end the trial.
+  /// Ends the trial if one of the commands is not a motion.
   void endTrialFor(const std::vector<workcell::Command>& commands);
   void goBackTo(const Entities& before);
   void replaceBy(workcell::Document document, std::filesystem::path origin);
@@ -91,7 +91,7 @@ class DocumentModel : public QObject {
   std::filesystem::path origin_;
   int number_ = 0;
   std::optional<Trial> trial_;
-  bool drop_step_ = false;  ///< The trial ended in the middle of a drag: the rest of it is not kept either.
+  bool drop_step_ = false;  ///< The trial ended during a drag: the rest of the drag is dropped too.
 };
 
 }  // namespace hapticell::app

@@ -11,58 +11,58 @@ namespace hapticell::app {
 
 namespace by = manipulation::by;
 
-/// What the hand takes of an entity (its tool centre point, its base, its origin ...): one choice for all panels and
-/// for the module that moves. It holds for the entity taken next. What can be chosen of each way is kept while another
-/// one is chosen. GUI thread.
+/// What of an entity the hand takes (its tool centre point, its base, its origin and so on): one choice for all panels
+/// and for the module that moves entities. It applies to the entity taken next. Options of each way are kept while
+/// another way is chosen. GUI thread.
 class HoldChoice : public QObject {
   Q_OBJECT
  public:
   using MovedBy = manipulation::MovedBy;
   using QObject::QObject;
 
-  /// All of it, as the manipulation loop takes it.
+  /// The choice with its options, as the manipulation loop takes it.
   const MovedBy& movedBy() const { return moved_by_; }
-  /// The chosen way is this one, whatever is chosen of it.
+  /// True if this way is chosen, whatever its options.
   template <typename Way>
   bool is() const {
     return std::holds_alternative<Way>(moved_by_);
   }
-  /// The name of the frame where one is chosen; else empty.
+  /// The name of the frame if a frame is chosen; else empty.
   std::string frame() const { return manipulation::frameOf(moved_by_); }
 
-  /// What a solid turns about, in the order that panels offer: 0 its origin, 1 its centre, 2 a frame.
+  /// What a solid turns about, as an index into the panels' list: 0 its origin, 1 its centre, 2 a frame.
   int turnsAbout() const {
     if (is<by::Center>()) return 1;
     return is<by::Frame>() ? 2 : 0;
   }
 
-  /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
+  /// The default: a mannequin's right hand, where its arrows are; the usual for all other entities.
   static MovedBy usual(const workcell::Entity& entity) {
     return entity.figure() ? MovedBy(by::Hand{mannequin::Side::kRight}) : MovedBy(by::Default{});
   }
-  /// How a mannequin is taken: as was chosen where that is a mannequin's way, else as usual.
+  /// How a mannequin is taken: the chosen way if it is one for mannequins, else the default.
   MovedBy movedByFor(const workcell::Entity& mannequin) const {
     return manipulation::isOfBody(moved_by_) ? moved_by_ : withOptions(usual(mannequin));
   }
 
-  /// Chooses a way (and its frame), with what was chosen of it before.
+  /// Chooses a way (and its frame), with the options that were chosen for it before.
   void set(const MovedBy& way) { change(withOptions(way)); }
 
-  /// Of a robot that is held by its tool: what goes along, what yields.
+  /// For a robot that is held by its tool: what moves along, what yields.
   const by::Tool& tool() const { return tool_; }
   void setTool(const by::Tool& tool) {
     tool_ = tool;
     change(withOptions(moved_by_));
   }
-  /// Of a robot that is held by its base: whether the tool stays where it is.
+  /// For a robot that is held by its base: whether the tool keeps its pose.
   bool keepsTool() const { return keeps_tool_; }
-  /// By its base, so.
+  /// Chooses the base, with this option.
   void setBase(bool keeps_tool) {
     keeps_tool_ = keeps_tool;
     set(by::Base{});
   }
 
-  /// Of a mannequin that is drawn by a hand, both, or the head: what of it does not move, and how both hands go.
+  /// For a mannequin that is moved by a hand, both hands, or the head: what stays in place, and how both hands move.
   const by::BothHands& hands() const { return hands_; }
   void setHands(const by::BothHands& hands) {
     if (hands == hands_) return;
@@ -71,7 +71,7 @@ class HoldChoice : public QObject {
     emit changed();
   }
 
-  /// As it is where nobody has chosen.
+  /// Resets everything to the defaults.
   void forget() {
     moved_by_ = {};
     tool_ = {};
@@ -80,7 +80,7 @@ class HoldChoice : public QObject {
     emit changed();
   }
 
-  /// Held entities are released; it stays where it is.
+  /// Asks for the release of held entities; the choice does not change.
   void letGo() { emit letGoWanted(); }
 
  signals:

@@ -6,8 +6,8 @@
 
 namespace hapticell::app {
 
-/// The window's own texts in another language. All texts stand in one context, so that a text is the same wherever it
-/// is written; what is not translated stays English.
+/// Translates the window's own texts. All texts are in one context, so that a text has the same translation wherever it
+/// is used; what is not translated stays English.
 class Translator : public QTranslator {
  public:
   using QTranslator::QTranslator;
@@ -18,10 +18,10 @@ class Translator : public QTranslator {
   QString translate(const char* context, const char* text, const char* meaning, int count) const override;
 };
 
-/// Before the first widget is made: the window's texts and Qt's own in this language, for the life of the application.
-/// False where it has none; the window is then English.
+/// Installs the window's texts and Qt's own in this language for the life of the application; call it before the first
+/// widget is made. Returns false if there is no translation; the window is then English.
 bool installLanguage(const QString& language);
-/// The language that the window speaks ("en", "fr"), whatever the settings say of the next start.
+/// The present language of the window ("en", "fr"); the settings may name another one for the next start.
 QString languageNow();
 
 }  // namespace hapticell::app

@@ -16,17 +16,17 @@ namespace hapticell::app {
 
 enum class Severity { kInformation, kWarning, kProblem };
 
-/// What the user can do about it, as a button.
+/// A remedy that the user can choose, as a button.
 struct MessageAction {
   QString word;
   std::function<void()> act;
 };
 
-/// One of many details of a message; lines of one `kind` that follow each other are shown as a group.
+/// One of several details of a message; consecutive lines with the same `kind` are shown as a group.
 struct MessageLine {
   QString kind;
   QString text;
-  std::function<void()> act = {};  ///< When it is clicked, e.g. select the part meant; may be empty.
+  std::function<void()> act = {};  ///< Called on a click, e.g. to select the part in question; may be empty.
 };
 
 /// One thing the user should know: what happened, and below it where and what to do.
@@ -36,11 +36,11 @@ struct Message {
   QString text;
   QDateTime when;
   std::vector<MessageAction> actions = {};
-  std::vector<MessageLine> lines = {};  ///< Where there are any, panels list them instead of `text`.
-  QString english = {};                 ///< `text` in English, for the log file; empty: it is known as shown only.
+  std::vector<MessageLine> lines = {};  ///< If not empty, panels list these instead of `text`.
+  QString english = {};                 ///< `text` in English, for the log file; empty: there is only the shown text.
 };
 
-/// The messages so far, newest last. Never a window in front of the scene. GUI thread.
+/// The messages so far, newest last. They never open a dialog in front of the scene. GUI thread.
 class MessageLog : public QObject {
   Q_OBJECT
  public:
@@ -49,11 +49,11 @@ class MessageLog : public QObject {
             std::vector<MessageLine> lines = {}) {
     add({severity, title, text, QDateTime::currentDateTime(), std::move(actions), std::move(lines)});
   }
-  /// With a text of the libraries: in the window's language here, in English in the log file.
+  /// Reports a text of the libraries: in the window's language here, in English in the log file.
   void reportCause(Severity severity, const QString& title, const Text& cause) {
     reportCause(severity, title, shownText(cause), english(cause));
   }
-  /// The same of an error; `after` is added to what is shown.
+  /// The same for an error; `after` is appended to the shown text.
   void reportCause(Severity severity, const QString& title, const Error& cause, const QString& after = {}) {
     reportCause(severity, title, shownText(cause) + (after.isEmpty() ? after : QLatin1Char(' ') + after),
                 cause.message());

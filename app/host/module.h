@@ -16,9 +16,9 @@ class Module {
   virtual QString name() const = 0;      ///< As the Applications menu shows it.
   virtual QString iconName() const = 0;  ///< One of the program's icons.
   virtual QString purpose() const = 0;   ///< One sentence for the tool tip.
-  /// Opens its docks and starts its work. Called again while running it brings its dock to the front.
+  /// Opens its docks and starts its work. If it already runs, brings its dock to the front.
   virtual void start(Host& host) = 0;
-  /// Ends its work and removes its docks. Harmless when it does not run.
+  /// Ends its work and removes its docks. Does nothing if it does not run.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
 };

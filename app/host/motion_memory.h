@@ -15,8 +15,8 @@ namespace hapticell::app {
 
 class DocumentModel;
 
-/// Remembers where everything stood during the last minute of motion, so that "go back ten seconds" works without a
-/// recording. Time in which nothing moves does not count. GUI thread.
+/// Remembers the placements of all entities during the last minute of motion, so that "go back ten seconds" works
+/// without a recording. Time without motion does not count. GUI thread.
 class MotionMemory {
   Q_DECLARE_TR_FUNCTIONS(MotionMemory)
  public:
@@ -26,26 +26,26 @@ class MotionMemory {
     bool operator==(const Place& other) const;
   };
   using Places = std::map<workcell::EntityId, Place>;
-  /// Seconds of motion: six times what one step of going back takes (go_back.cpp). Half, twice: three or twelve steps,
-  /// memory in proportion.
+  /// Seconds of motion: six steps of going back (go_back.cpp). Memory is proportional: half gives three steps, double
+  /// gives twelve.
   static constexpr double kKept = 60.0;
 
   /// `places` gives the present placements of all entities, as drawn.
   MotionMemory(DocumentModel& document, std::function<Places()> places);
-  /// Keeps what moved since the last look; `seconds` lie between the two (longer pauses count as 0.2).
+  /// Keeps what moved since the last call; `seconds` is the time between the calls (longer pauses count as 0.2).
   void look(double seconds);
-  /// The same by the clock, ten times a second at the most.
+  /// The same with the clock's time, at most ten times a second.
   void look();
-  /// Puts everything where it stood `seconds` of motion ago (or as early as is known), as one step of undo; what is
-  /// locked or gone stays. Called again, it goes on from there. False: nothing moved.
+  /// Moves everything back to where it was `seconds` of motion ago (or at the earliest known time), as one undo step;
+  /// entities that are locked or removed stay. Another call continues from there. False: nothing moved.
   bool goBack(double seconds);
-  /// Another document: nothing is known of it.
+  /// Forgets everything, for another document.
   void forget();
 
  private:
   struct Step {
     double seconds = 0.0;
-    Places before;  ///< Of those that moved.
+    Places before;  ///< Of the entities that moved.
   };
   DocumentModel& document_;
   std::function<Places()> places_;

@@ -11,14 +11,14 @@
 
 namespace hapticell::app {
 
-/// Between who wants to record (the trajectory panel, keys) and who moves (a module's loop, or the window itself while
-/// no module runs). GUI thread.
+/// Connects who wants to record (the trajectory panel, keys) with who moves (a module's loop, or the window itself
+/// while no module runs). GUI thread.
 class RecordingHub : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// A module's loop takes the orders from now on and delivers what was recorded; false: the window does.
+  /// True: a module's loop takes the orders from now on and delivers the recordings; false: the window does.
   void setLive(bool live) {
     if (live == live_) return;
     if (recording_) stop();
@@ -32,29 +32,29 @@ class RecordingHub : public QObject {
     recording_ = true;
     emit startWanted(wanted);
   }
-  /// What was recorded comes by recorded(), soon.
+  /// Stops recording; recorded() delivers the result soon after.
   void stop() {
     recording_ = false;
     emit stopWanted();
   }
-  /// Another document follows: what is being recorded is not kept.
+  /// Drops the running recording, because another document follows.
   void abandon() {
     setGuide(std::nullopt);
     if (!recording_) return;
     abandoned_ = true;
     stop();
   }
-  /// A frame by hand, here and now; nothing while nothing is recorded.
+  /// Records a frame here and now; does nothing while nothing is recorded.
   void mark() {
     if (recording_) emit markWanted();
   }
-  /// A guide beside those of the document, felt by what is held: a training's. Nothing: none.
+  /// Sets a guide in addition to the document's, felt by what is held: for training. Empty: none.
   void setGuide(const std::optional<workcell::Guide>& guide) {
     guide_ = guide;
     emit guideWanted();
   }
   const std::optional<workcell::Guide>& guide() const { return guide_; }
-  /// Of the one who moves.
+  /// Called by whoever moves: delivers recorded trajectories.
   void deliver(const std::vector<trajectory::Trajectory>& trajectories) {
     recording_ = false;
     if (std::exchange(abandoned_, false)) return;

@@ -17,15 +17,15 @@ class Selection : public QObject {
  public:
   using QObject::QObject;
   workcell::EntityId current() const { return current_; }  ///< 0: nothing.
-  /// All of them, in the order of choosing; empty exactly where current() is 0.
+  /// All selected entities, in the order in which they were chosen; empty exactly if current() is 0.
   const std::vector<workcell::EntityId>& all() const { return all_; }
   bool contains(workcell::EntityId entity) const { return std::find(all_.begin(), all_.end(), entity) != all_.end(); }
 
-  /// This one alone; 0: nothing.
+  /// Selects this entity alone; 0: nothing.
   void set(workcell::EntityId entity) {
     setAll(entity != 0 ? std::vector<workcell::EntityId>{entity} : std::vector<workcell::EntityId>{}, entity);
   }
-  /// All of these; `current` is one of them, or 0 for the last.
+  /// Selects all of these; `current` is one of them, or 0 for the last.
   void setAll(std::vector<workcell::EntityId> entities, workcell::EntityId current = 0) {
     const bool known = std::find(entities.begin(), entities.end(), current) != entities.end();
     if (!known) current = entities.empty() ? 0 : entities.back();
@@ -36,7 +36,7 @@ class Selection : public QObject {
     emit allChanged();
     if (other) emit changed(current_);
   }
-  /// Adds it and makes it the current one, or takes it out.
+  /// Adds an entity and makes it the current one, or removes it.
   void toggle(workcell::EntityId entity) {
     if (entity == 0) return;
     std::vector<workcell::EntityId> entities = all_;
@@ -47,8 +47,8 @@ class Selection : public QObject {
   }
 
  signals:
-  void changed(hapticell::workcell::EntityId entity);  ///< The current one.
-  void allChanged();                                   ///< Which are selected; before changed().
+  void changed(hapticell::workcell::EntityId entity);  ///< The current entity changed.
+  void allChanged();                                   ///< The selected set changed; before changed().
 
  private:
   std::vector<workcell::EntityId> all_;

@@ -19,12 +19,12 @@ class ArgumentFields : public QWidget {
   Q_OBJECT
  public:
   explicit ArgumentFields(QWidget* parent = nullptr);
-  /// If the file or its arguments have changed, the fields are made again.
+  /// Makes the fields again if the file or its arguments have changed.
   void setArguments(int file, const std::vector<xacro::DeclaredArgument>& arguments,
                     const std::map<std::string, std::string>& values);
 
  signals:
-  /// What is entered, of fields that are not empty.
+  /// The values of the fields that are not empty.
   void changed(const std::map<std::string, std::string>& values);
 
  private:

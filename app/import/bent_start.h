@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// A robot whose file says no home and whose joints at zero make it singular starts bent, and the report says so.
+/// Bends a robot whose file gives no home and that is singular at zero joints, and says so in the report.
 void startBent(workcell::Entity& entity, workcell::ImportReport& report);
 
 }  // namespace hapticell::app

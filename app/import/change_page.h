@@ -9,10 +9,10 @@
 namespace hapticell::app {
 
 /// A change report for people: a page with what moved from where to where (mm, degrees), what was added and removed.
-/// `cell` and `against` stand in its head.
+/// `cell` and `against` are named in its heading.
 QString changesAsHtml(const std::vector<workcell::EntityChange>& changes, const QString& cell, const QString& against);
 
-/// Writes it: PDF (A4) or, by the name's ending, CSV as changesAsCsv(). Any thread but needs a Qt application.
+/// Writes the report: PDF (A4) or, by the name's ending, CSV as changesAsCsv(). Any thread, but needs a Qt application.
 Expected<void> writeChanges(const std::vector<workcell::EntityChange>& changes, const QString& cell,
                             const QString& against, const QString& path);
 

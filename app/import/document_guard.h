@@ -11,26 +11,26 @@ namespace hapticell::app {
 
 class DocumentModel;
 
-/// Keeps two programs on one file from undoing each other's work: says that this window has the open document
-/// (workcell/files/document_lock.h), and whether saving should be asked about. It goes by content, not by clocks. GUI
+/// Keeps two programs from overwriting each other's work in one file: marks the open document as used by this
+/// window (workcell/files/document_lock.h), and says whether to ask before saving. Compares content, not times. GUI
 /// thread.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:
   explicit DocumentGuard(DocumentModel& document, QObject* parent = nullptr);
 
-  /// What the file of a document that is to be opened held when it was read (contentName()); for a copy from a crash,
-  /// what it held when the copy's work began. Before the document takes its place.
+  /// Sets what the file of a document held when it was read (contentName()); for a recovery copy, what it held when the
+  /// copy's work began. Call it before the document is opened.
   void setContent(std::filesystem::path document, std::string content);
-  /// Of the open document; empty: unknown.
+  /// Content name of the open document; empty: unknown.
   std::string content() const;
-  /// Another program has the open document, and had it first: this window should not save it.
+  /// True if another program opened the document first: this window should not save it.
   bool isReadOnly() const { return lock_.owner().has_value(); }
-  /// Who, as a sentence; empty: nobody.
+  /// Who has the document, as a sentence; empty: nobody.
   QString ownerSentence() const;
-  /// Why saving the open document at `path` should be asked about; empty: there is no reason. Reads the file.
+  /// Why to ask before saving the open document at `path`; empty: no reason. Reads the file.
   QString doubtAbout(const QString& path);
-  /// The document was saved: its file holds what it holds.
+  /// The document was saved: its file now holds the document's content.
   void noteSaved();
 
  signals:
@@ -41,7 +41,7 @@ class DocumentGuard : public QObject {
 
   DocumentModel& document_;
   workcell::DocumentLock lock_;
-  std::filesystem::path path_;  ///< That lock_ is about.
+  std::filesystem::path path_;  ///< The document that lock_ is for.
   std::filesystem::path content_path_;
   std::string content_;
 };

@@ -12,18 +12,18 @@
 
 namespace hapticell::app {
 
-/// What an opening ended with.
+/// The result of opening a document.
 struct OpenedDocument {
   Expected<workcell::Document> document;
   Diagnostics notes;
   std::vector<std::filesystem::path> missing;  ///< Files that were not found; their entities are kept without a shape.
-  std::vector<workcell::UnloadedEntity> unloaded;  ///< Entities that are kept without a shape, for any reason.
+  std::vector<workcell::UnloadedEntity> unloaded;  ///< All entities that are kept without a shape, for any reason.
   std::string content =
-      {};  ///< What its file held (contentName()), or the one that a copy is a copy of; empty: unknown.
+      {};  ///< Content name (contentName()) of its file, or of the file that it is a copy of; empty: unknown.
 };
 
-/// Reads workcell documents, with all the meshes they name, in the background. One at a time: another begins by giving
-/// the first one up. GUI thread.
+/// Reads workcell documents with all their meshes in the background. One at a time: opening another one cancels the
+/// first. GUI thread.
 class DocumentOpener : public QObject {
   Q_OBJECT
  public:
@@ -32,18 +32,18 @@ class DocumentOpener : public QObject {
   explicit DocumentOpener(QObject* parent = nullptr);
   ~DocumentOpener() override;
 
-  /// Reads the file at `path`. `locate` (may be empty) is asked in another thread for files that are not where the
+  /// Reads the file at `path`. Calls `locate` (may be empty), in another thread, for files that are not where the
   /// document says.
   void open(const QString& path, const Locate& locate = {});
-  /// Reads the copy of the document at `path` that a crash left: what is read is unsaved, and has that path.
+  /// Reads the recovery copy of the document at `path`; the result is unsaved and has that path.
   void openCopy(const QString& copy, const QString& path);
-  /// Reads a state again from its text, as it would stand in `folder`.
+  /// Reads a state again from its text, as if its file were in `folder`.
   void openText(const std::string& text, const std::filesystem::path& folder, const QString& name,
                 const Locate& locate);
   bool isBusy() const { return run_ != nullptr; }
   QString name() const;
   workcell::ImportProgress progress() const;
-  /// Ends it within a second; ended() reports it like a failure.
+  /// Cancels within a second; ended() reports it like a failure.
   void cancel();
 
  signals:
@@ -60,7 +60,7 @@ class DocumentOpener : public QObject {
 
   std::shared_ptr<Run> run_;
   QTimer poll_;
-  QThreadPool readers_;  // Two: one that was given up may still be reading when the next begins.
+  QThreadPool readers_;  // Two threads: a cancelled one may still be reading when the next begins.
 };
 
 }  // namespace hapticell::app

@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// What the window gives back: exports, packs and change reports, written in the background; messages report the
-/// result. The functions that ask for a file end in those that take its name. GUI thread.
+/// What the window writes: exports, packs and change reports, in the background; messages report the result. Functions
+/// that ask for a file call those that take its name. GUI thread.
 class ExportWork : public QObject {
   Q_OBJECT
  public:
@@ -25,12 +25,12 @@ class ExportWork : public QObject {
   void askPack();
   void askReport(Against against);
 
-  /// Writes the cell, or what is selected and all below it, in the format that the name's ending says.
+  /// Writes the cell, or the selection and all below it, in the format that the name's ending says.
   void exportTo(const QString& path, bool selection_only);
-  /// The document with all its files, as a folder or an archive (.zip, .tar.gz). Files that lie outside of its folder
-  /// are asked for first, unless `allow_outside`.
+  /// Packs the document with all its files into a folder or an archive (.zip, .tar.gz). Asks first if files are outside
+  /// its folder, unless `allow_outside`.
   void packTo(const QString& path, bool allow_outside = false);
-  /// PDF or CSV by the name's ending; `other` is the workcell for kOtherCell.
+  /// Writes PDF or CSV by the name's ending; `other` is the workcell for kOtherCell.
   void reportTo(const QString& path, Against against, const QString& other = {});
 
  signals:

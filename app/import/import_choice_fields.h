@@ -15,17 +15,17 @@ class ArgumentFields;
 class Segmented;
 class UnitQuestion;
 
-/// What is made of a file that is to be imported: arguments, unit, up axis, mesh, one solid or a tree. GUI thread.
+/// The choices for a file to import: arguments, unit, up axis, mesh, one solid or a tree. GUI thread.
 class ImportChoiceFields : public QWidget {
   Q_OBJECT
  public:
-  /// The session must outlive it; the choices of the file that is shown are kept there.
+  /// The session must outlive it and keeps the choices for the shown file.
   explicit ImportChoiceFields(ImportSession& session, QWidget* parent = nullptr);
   /// The file must have facts.
   void showFile(const FileImport& file);
 
  signals:
-  void unitAnswered();  ///< A size was chosen, perhaps the same one.
+  void unitAnswered();  ///< A size was chosen, possibly the same as before.
 
  private:
   void connectFields();

@@ -10,34 +10,34 @@
 
 namespace hapticell::app {
 
-/// How finely curved faces are cut, relative to the size of what is imported.
+/// How finely curved faces are meshed, relative to the size of the import.
 enum class MeshQuality { kCoarse, kMedium, kFine };
 
-/// What the import panel lets the user choose. The defaults take a file as it says.
+/// The options of the import panel. The defaults follow the file.
 struct ImportChoices {
   std::optional<double> metres_per_unit = {};
   std::optional<workcell::UpAxis> up_axis = {};
   MeshQuality quality = MeshQuality::kMedium;
   bool merge = false;                                 ///< One solid instead of the file's tree.
-  std::map<std::string, std::string> arguments = {};  ///< Of a xacro, where not its defaults.
+  std::map<std::string, std::string> arguments = {};  ///< Of a xacro, where they differ from its defaults.
 
   bool operator==(const ImportChoices&) const = default;
 };
 
-/// The chord's share of the diagonal, and the largest turn along an edge (rad).
+/// Chord error as a fraction of the diagonal, and the largest turn along an edge (rad).
 struct QualityMeasure {
   double relative_chord;
   double angle;
 };
 QualityMeasure measureOf(MeshQuality quality);
 
-/// For the importer.
+/// The choices as options for the importer.
 workcell::ImportOptions optionsOf(const ImportChoices& choices);
 
-/// What an import with another quality will make, from one that was made. Growth is that of real machined parts: within
-/// a factor of two.
+/// Estimate of an import with another quality, from one that was made. Growth is that of real machined parts: accurate
+/// within a factor of two.
 struct ImportEstimate {
-  double chord = 0.0;  ///< Metres.
+  double chord = 0.0;  ///< Chord error, metres.
   double triangles = 0.0;
   double seconds = 0.0;
 };

@@ -13,25 +13,25 @@ namespace hapticell::app {
 struct ImportFacts {
   QString format;                       ///< "STEP AP214", "STL" ...
   qint64 bytes = 0;                     ///< Of the file.
-  dvec3 size{0.0};                      ///< Metres along x, y and z as it would stand in the cell.
-  double metres_per_unit = 1.0;         ///< As it was read.
-  bool unit_is_stated = false;          ///< The file names it.
-  double likely_metres_per_unit = 1.0;  ///< Guessed from the size where the file names none.
-  bool unit_is_open = false;            ///< It has no unit, and the size does not suggest one.
+  dvec3 size{0.0};                      ///< Metres along x, y and z, as placed in the cell.
+  double metres_per_unit = 1.0;         ///< As used for reading.
+  bool unit_is_stated = false;          ///< The file states its unit.
+  double likely_metres_per_unit = 1.0;  ///< Guessed from the size if the file states no unit.
+  bool unit_is_open = false;            ///< The file states no unit, and the size does not suggest one.
   workcell::UpAxis up_axis = workcell::UpAxis::kZ;
   std::size_t parts = 0, triangles = 0;
-  bool can_be_cut_finer = false;                   ///< STEP and IGES; others hold triangles.
-  double chord = 0.0;                              ///< Metres.
-  QImage picture;                                  ///< Transparent ground.
-  bool robot = false;                              ///< Unit, up axis and tree are as its format says.
-  bool incomplete = false;                         ///< A xacro that cannot be read before an argument has a value.
+  bool can_be_cut_finer = false;                   ///< STEP and IGES; other formats contain triangles.
+  double chord = 0.0;                              ///< Chord error, metres.
+  QImage picture;                                  ///< Transparent background.
+  bool robot = false;                              ///< Unit, up axis and tree are defined by its format.
+  bool incomplete = false;                         ///< A xacro that cannot be read until an argument has a value.
   std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro.
 };
 
-/// Reads size and picture off an import. `picture_size` in device pixels. Any thread; 0.1 s a million triangles.
+/// Determines size and picture of an import. `picture_size` in device pixels. Any thread; 0.1 s per million triangles.
 ImportFacts factsOf(const workcell::ImportResult& result, const QString& path, QSize picture_size);
 
-/// "STEP AP214" from what stands at the head of a STEP file, else the format's name in capitals.
+/// "STEP AP214" from the header of a STEP file, else the format's name in capitals.
 QString formatText(const std::string& format, const QString& path);
 
 }  // namespace hapticell::app

@@ -16,22 +16,22 @@ class ImportChoiceFields;
 class ImportProgress;
 class PreviewBox;
 
-/// Something other than an import that takes its time: the opening of a workcell.
+/// Work other than an import that takes time: opening a workcell.
 struct OtherWork {
   QString name;
   QString stage;
   double share = 0.0;
 };
 
-/// The import dialog: what a file is, what is made of it, and how far it is. One file at a time is shown, the others
-/// wait in the choice on top. All choices are the session's; this only shows and asks.
+/// The import dialog: what a file is, what is made of it, and the progress. It shows one file at a time; the others are
+/// in the list on top. The session keeps all choices; this panel only shows them and asks.
 class ImportPanel : public QWidget {
   Q_OBJECT
  public:
   explicit ImportPanel(ImportSession& session, QWidget* parent = nullptr);
-  /// Shown while no file is: nothing hides it.
+  /// Shown while no file is shown: nothing hides it.
   void setOtherWork(const std::optional<OtherWork>& work);
-  /// Id of the file that is shown; 0 for none.
+  /// Id of the shown file; 0 for none.
   int current() const { return current_; }
   QString title() const;
 

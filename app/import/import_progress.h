@@ -8,12 +8,12 @@ class QProgressBar;
 
 namespace hapticell::app {
 
-/// How far an import or the opening of a cell is. GUI thread.
+/// Progress of an import or of opening a cell. GUI thread.
 class ImportProgress : public QWidget {
   Q_OBJECT
  public:
   explicit ImportProgress(QWidget* parent = nullptr);
-  /// `words`: what is done now; `share`: 0 to 1 of the whole; `seconds_left`: said where it is worth it.
+  /// `words`: the present stage; `share`: 0 to 1 of the whole; `seconds_left`: shown if long enough.
   void showWork(const QString& words, double share, double seconds_left);
 
  private:

@@ -7,8 +7,8 @@
 
 namespace hapticell::app {
 
-/// What an import did, as sentences: parts, triangles and unit; what was repaired; what was dropped and why. The
-/// report's own warnings are not in it: each is a message of its own.
+/// The result of an import in sentences: parts, triangles and unit; what was repaired; what was dropped and why. Leaves
+/// out the report's own warnings: each is a separate message.
 QString reportText(const workcell::ImportReport& report);
 
 }  // namespace hapticell::app

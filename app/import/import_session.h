@@ -15,25 +15,25 @@
 
 namespace hapticell::app {
 
-/// One file on its way into the cell.
+/// One file that is being imported.
 struct FileImport {
   enum class Stage {
-    kExamining,  ///< Is read with the choices as they are, so that the user sees what it is.
-    kReady,      ///< Waits for the user's yes.
-    kImporting,  ///< The user has said yes.
+    kExamining,  ///< Being read with the present choices, so that the user sees what it is.
+    kReady,      ///< Waits for the user's confirmation.
+    kImporting,  ///< The user has confirmed.
   };
   int id = 0;
   QString path;
   Stage stage = Stage::kExamining;
   ImportChoices choices;
   workcell::ImportProgress progress;
-  double elapsed = 0.0;              ///< Seconds since its reading began.
-  bool queued = false;               ///< Another file is being read before it.
-  std::optional<ImportFacts> facts;  ///< Of the examination.
-  bool asks = false;                 ///< Waits for the user's yes once it was read.
-  bool unit_is_open = false;         ///< Nobody knows its unit yet: the user has to say it (choose()) before import().
+  double elapsed = 0.0;              ///< Seconds since reading began.
+  bool queued = false;               ///< Waits while another file is being read.
+  std::optional<ImportFacts> facts;  ///< From the examination.
+  bool asks = false;                 ///< Waits for the user's confirmation after reading.
+  bool unit_is_open = false;         ///< The unit is unknown: the user has to choose it (choose()) before import().
   ImportChoices examined_with;
-  double seconds = 0.0;  ///< That the examination took.
+  double seconds = 0.0;  ///< Duration of the examination.
 };
 
 /// Files that are being imported: each is read in the background (workcell::Importer), shown, and imported when the
@@ -46,31 +46,31 @@ class ImportSession : public QObject {
   explicit ImportSession(QObject* parent = nullptr);
   ~ImportSession() override;
 
-  /// Begins with these files. `ask`: each waits for import(); else it goes into the cell as soon as it is read. Robots
-  /// and built-in things are never asked about: there is nothing to choose, but the arguments of a xacro that has some.
-  /// Gives the new ids.
+  /// Starts with these files. `ask`: each waits for import(); else it is imported as soon as it is read. Robots and
+  /// built-in parts are imported without asking, because there is nothing to choose, except for a xacro with arguments.
+  /// Returns the new ids.
   std::vector<int> add(const QStringList& paths, bool ask);
   const std::vector<FileImport>& files() const { return files_; }
   const FileImport* find(int id) const;
   bool isBusy() const;
 
-  /// A unit that is said counts for all other files, present and to come until all are gone, whose unit is open.
+  /// A chosen unit applies to all other files with an unknown unit, present and future, until no file is left.
   void choose(int id, const ImportChoices& choices);
-  /// Nothing for a file whose unit is open. Hands over what was read where the choices are still those it was read
-  /// with; else reads it again first.
+  /// Does nothing for a file whose unit is unknown. Hands over what was read if the choices are still the same; else
+  /// reads the file again first.
   void import(int id);
-  /// Gives one up; its reading ends within a second.
+  /// Cancels a file; reading ends within a second.
   void cancel(int id);
   void cancelAll();
-  /// Pixels of FileImport::facts.picture.
+  /// Size of FileImport::facts.picture in pixels.
   void setPictureSize(QSize size) { picture_size_ = size; }
-  /// What an import with the present choices will make.
+  /// Estimate of an import with the present choices.
   static ImportEstimate estimateOf(const FileImport& file);
 
  signals:
-  void changed();  ///< A file came, went or changed its stage.
+  void changed();  ///< A file was added, removed or changed its stage.
   void progressed();
-  /// A file was read and wanted. The result may be moved out of.
+  /// A file was read and confirmed. The receiver may move from the result.
   void finished(const QString& path, const hapticell::app::ImportSession::Result& result);
 
  private:
@@ -78,7 +78,7 @@ class ImportSession : public QObject {
     int file = 0;
     workcell::ImportId job = 0;
     QElapsedTimer clock;
-    Result result;  ///< Of the examination.
+    Result result;  ///< From the examination.
   };
   FileImport* get(int id);
   Work* workOf(int id);
@@ -93,13 +93,13 @@ class ImportSession : public QObject {
   void poll();
 
   int last_id_ = 0;
-  std::optional<double> said_unit_;  ///< Metres per unit that the user said for one of these files.
+  std::optional<double> said_unit_;  ///< Metres per unit that the user chose for one of these files.
   QSize picture_size_{560, 300};
   std::vector<FileImport> files_;
   std::vector<Work> works_;
   QTimer poll_;
   QThreadPool painters_;
-  std::unique_ptr<workcell::Importer> importer_;  // Last: its thread calls us.
+  std::unique_ptr<workcell::Importer> importer_;  // Last: its thread calls this object.
 };
 
 }  // namespace hapticell::app

@@ -15,8 +15,8 @@ class Host;
 class Segmented;
 class ValueField;
 
-/// Care for the mesh of the selected solid: what is odd about it, fewer triangles, faces turned outwards, and what it
-/// is checked by. Each change is one undo step, made in the background; the deviation is shown.
+/// Care for the mesh of the selected solid: its defects, fewer triangles, faces turned outwards, and its collision
+/// shape. Each change is one undo step, made in the background; the deviation is shown.
 class MeshCarePanel : public QWidget {
   Q_OBJECT
  public:

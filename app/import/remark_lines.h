@@ -13,20 +13,20 @@ namespace hapticell::app {
 
 /// One sentence of an import's report.
 struct RemarkLine {
-  QString kind;  ///< The heading of its group: the sentence with "…" for names, numbers and files.
+  QString kind;  ///< The heading of its group: the sentence with "…" in place of names, numbers and files.
   QString text;
   std::vector<workcell::EntityId> parts;  ///< The parts that it names, in the order of its arguments.
 };
 
-/// By the names that a file gives its parts and the links of its robots: the entities they became.
+/// Maps the names that a file gives its parts, and the links of its robots, to the entities made of them.
 using NamedParts = std::multimap<std::string, workcell::EntityId>;
 
-/// The names that the file gives `entity` and its links and joints, for the `id` that the document gave it.
+/// Adds the file's names for `entity`, its links and its joints, mapped to the `id` that the document gave it.
 void addNames(const workcell::Entity& entity, workcell::EntityId id, NamedParts& parts);
 
-/// The remarks with those of one kind side by side, kinds in the order of their first remark. Remarks with the same id
-/// are of one kind; plain words are a kind of their own. A part is found if an argument is its name, or a list of names
-/// in single quotes with its name.
+/// Groups remarks by kind, kinds in the order of their first remark. Remarks with the same id are of one kind; plain
+/// texts are a kind of their own. A part is found if an argument is its name, or is a list of names in single quotes
+/// that contains its name.
 std::vector<RemarkLine> remarkLines(const std::vector<Text>& remarks, const NamedParts& parts);
 
 }  // namespace hapticell::app

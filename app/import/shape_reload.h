@@ -10,14 +10,14 @@
 
 namespace hapticell::app {
 
-/// The commands that load the shapes again from the files, with new collision shapes, and the files that could not be
-/// read.
+/// The commands that replace shapes by those read from the files, with new collision shapes, and the files that could
+/// not be read.
 struct ShapeReload {
   std::vector<workcell::Command> commands;
-  std::vector<Text> problems;  ///< A sentence each; those entities stay as they are.
+  std::vector<Text> problems;  ///< One sentence each; those entities do not change.
 };
 
-/// Reads all entities of `state` again whose file is one of `paths`. Blocks; any thread.
+/// Reads all entities of `state` whose file is one of `paths` again. Blocks; any thread.
 ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector<std::string>& paths,
                          workcell::ImportMonitor& monitor);
 

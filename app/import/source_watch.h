@@ -17,7 +17,7 @@ class SourceWatch : public QObject {
   explicit SourceWatch(DocumentModel& document, QObject* parent = nullptr);
 
  signals:
-  /// Once their writing has been quiet for a while.
+  /// Emitted once the files have not been written for a while.
   void changed(const QStringList& paths);
 
  private:

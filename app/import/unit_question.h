@@ -11,13 +11,13 @@ namespace hapticell::app {
 
 class SizeCard;
 
-/// What one unit of a file means that names none: the part in metres and in millimetres, each drawn beside a person of
+/// Asks for the unit of a file that states none: shows the part in metres and in millimetres, each next to a person of
 /// 1.75 m, to choose from. GUI thread.
 class UnitQuestion : public QWidget {
   Q_OBJECT
  public:
   explicit UnitQuestion(QWidget* parent = nullptr);
-  /// `metres_per_unit`: what is chosen; nothing: nobody has said it yet.
+  /// `metres_per_unit`: the choice; empty: not chosen yet.
   void setFile(const ImportFacts& facts, std::optional<double> metres_per_unit);
 
  signals:

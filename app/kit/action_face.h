@@ -9,13 +9,13 @@ class QAction;
 
 namespace hapticell::app {
 
-/// What an action is called, looks like and is pressed by.
+/// Name, look and shortcut of an action.
 struct ActionFace {
   const char* name;  ///< objectName, for tests and for key settings.
-  QString text;      ///< As the menu says it; "…" where more input follows.
+  QString text;      ///< As shown in the menu; "…" if more input follows.
   QString icon;      ///< Empty for none.
   QKeySequence key;
-  QString word;  ///< Below the icon in the tool bar; empty: the text.
+  QString word;  ///< Below the icon in the tool bar; empty: uses `text`.
 };
 
 /// Makes an action with a tool tip that names its key.

@@ -11,22 +11,22 @@ class QMainWindow;
 
 namespace hapticell::app {
 
-/// Ctrl+K: type a few letters of a command, Enter does it. Lists everything that can be clicked in the window now (see
-/// commandsNow()), with its key and panel; letters may be left out in between, and words of the panel's name may be
-/// typed too. A part of the window, never a window of its own. GUI thread.
+/// Ctrl+K: the user types a few letters of a command, Enter runs it. Lists everything that can be clicked in the window
+/// now (see commandsNow()), with its key and panel. Letters may be left out, and words of the panel's name may be typed
+/// too. A part of the window, never a separate window. GUI thread.
 class CommandFinder : public QFrame {
   Q_OBJECT
  public:
   explicit CommandFinder(QMainWindow& window);
   void open();
-  /// How well `typed` is found in `text`: 0 not at all, more is better (whole words before letters apart).
+  /// How well `typed` matches `text`: 0 not at all, more is better (whole words score higher than scattered letters).
   static int match(const QString& typed, const QString& text);
 
-  /// Hides it and gives the focus back; whether it was open.
+  /// Hides it and gives the focus back; returns whether it was open.
   bool dismiss();
 
  signals:
-  /// Before the commands are listed: what makes its panels late makes them now.
+  /// Emitted before the commands are listed: panels that are made on demand must be made now.
   void opening();
 
  protected:
@@ -38,7 +38,7 @@ class CommandFinder : public QFrame {
   QMainWindow& window_;
   QLineEdit* typed_;
   QListWidget* found_;
-  std::vector<QPointer<QObject>> targets_;  ///< Of the rows.
+  std::vector<QPointer<QObject>> targets_;  ///< Targets of the rows.
   QPointer<QWidget> focus_before_;
 };
 

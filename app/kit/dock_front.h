@@ -5,7 +5,7 @@ class QDockWidget;
 
 namespace hapticell::app {
 
-/// Whether a dock is seen: shown, and not behind another tab of its place.
+/// Whether a dock is visible: shown, and not behind another tab.
 bool isInFront(const QDockWidget& dock);
 
 }  // namespace hapticell::app

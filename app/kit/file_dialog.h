@@ -8,14 +8,14 @@ class QWidget;
 
 namespace hapticell::app {
 
-// Questions for files, in a dialog of the window's theme and language that shows the picture, size and time of the file
-// that is looked at. Each returns when it is answered; an empty answer: cancelled. `start` is a folder, a file, or a
-// mere name in the folder of last time; `filter` as QFileDialog has it, "Workcells (*.hcell);;All files (*)". GUI
-// thread.
+// Dialogs that ask for files, in the window's theme and language, with the picture, size and time of the
+// selected file. Each returns when it is answered; an empty answer: cancelled. `start` is a folder, a file, or
+// just a name in the folder that was used last; `filter` as in QFileDialog: "Workcells (*.hcell);;All files
+// (*)". GUI thread.
 
 QString askToOpen(QWidget* parent, const QString& title, const QString& start, const QString& filter);
 QStringList askToOpenSeveral(QWidget* parent, const QString& title, const QString& start, const QString& filter);
-/// A name without an ending gets the first one of the chosen filter; before another file is replaced it asks.
+/// Adds the first ending of the chosen filter to a name without one; asks before it replaces another file.
 QString askToSave(QWidget* parent, const QString& title, const QString& start, const QString& filter);
 QString askForFolder(QWidget* parent, const QString& title, const QString& start);
 

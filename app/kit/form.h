@@ -18,22 +18,22 @@ namespace hapticell::app {
 /// Width of the column of names in front of fields.
 constexpr int kLabelColumn = 84;
 
-/// A label; quiet ones have the second text colour and follow the theme.
+/// A label; if `quiet`, in the second text colour. It follows the theme.
 QLabel* makeLabel(const QString& text, TextRole role, bool quiet = false);
 
-/// A label whose words change while the panel is used: it keeps the room of so many lines.
+/// A label whose text changes while the panel is used: it always has the height of `lines` lines.
 LiveLabel* makeLive(int lines, TextRole role, bool quiet = false);
 
 /// A section of a panel: its own margins, a heading (empty: none), a line below.
 QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading);
 
-/// A row "name, field". The field gets the name for screen readers. Returns the row's widget, so that it can be hidden.
+/// Adds a row "name, field"; the name is for screen readers too. Returns the row's widget, so that it can be hidden.
 QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int label_width = kLabelColumn);
 
-/// True while the user can see it: a dock that lies behind another tab is not, though Qt calls it visible.
+/// True if the user can see it: a dock behind another tab is not seen, though Qt calls it visible.
 bool isSeen(const QWidget& widget);
 
-/// A panel that scrolls up and down where its dock is too low, never narrower than `minimum_width` pixels.
+/// A panel that scrolls vertically if its dock is too low, never narrower than `minimum_width` pixels.
 QScrollArea* scrolledPanel(QWidget* content, int minimum_width = 332);
 
 /// Fields side by side in one row, equally wide.

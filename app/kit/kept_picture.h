@@ -6,10 +6,10 @@
 
 namespace hapticell::app {
 
-/// The thumbnail of a cell from when it was last saved or left; null if there is no thumbnail. It is in the user's
+/// The thumbnail of a cell from when it was last saved or left; null if it has no thumbnail. It is in the user's
 /// cache, under a name made from the cell's path.
 QImage keptPicture(const QString& path);
-/// Keeps the picture of the cell at `path` in place of an older one; nothing where that cannot be written.
+/// Stores the picture of the cell at `path` in place of an older one; does nothing if it cannot be written.
 void storePicture(const QString& path, const QImage& picture);
 
 }  // namespace hapticell::app

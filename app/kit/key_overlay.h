@@ -14,15 +14,15 @@ struct KeyLine {
   QString key, does;
 };
 
-/// All keys that count now: those of the window's actions, and the held ones that are no actions (Space, Esc, the
-/// mouse).
+/// All keys that work now: those of the window's actions, and held keys and mouse buttons that are not actions (Space,
+/// Esc, the mouse).
 std::vector<KeyLine> keyLines(const QMainWindow& window);
 
-/// `?`: the keys over the scene, until any key or a click. GUI thread.
+/// `?`: shows the keys over the scene until any key or a click. GUI thread.
 class KeyOverlay : public QWidget {
   Q_OBJECT
  public:
-  /// Lies over `scene`, of which it becomes a child.
+  /// Covers `scene` and becomes its child.
   KeyOverlay(const QMainWindow& window, QWidget& scene);
   void toggle();
 

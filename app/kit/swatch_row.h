@@ -7,25 +7,25 @@
 
 namespace hapticell::app {
 
-/// What parts are coloured with: quiet, so that states are loud.
+/// Colours for parts: quiet, so that the colours of states stand out.
 std::vector<QColor> quietColors();
 
-/// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move in it. A last place,
+/// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move the frame. A last field,
 /// "…", can offer any other colour.
 class SwatchRow : public QWidget {
   Q_OBJECT
  public:
   explicit SwatchRow(std::vector<QColor> colors, QWidget* parent = nullptr);
-  /// Frames the swatch of that colour; another colour is shown in front of the others.
+  /// Frames the swatch of that colour; a colour without a swatch is shown in front of the others.
   void setCurrent(const QColor& color);
   QColor current() const { return current_; }
-  /// Adds the place for any other colour.
+  /// Adds the field "…" for any other colour.
   void offerOther();
   QSize sizeHint() const override { return {160, 26}; }
 
  signals:
   void chosen(const QColor& color);
-  /// The place for any other colour was clicked, or Enter was pressed.
+  /// The field "…" was clicked, or Enter was pressed on it.
   void otherWanted();
 
  protected:

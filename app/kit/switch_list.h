@@ -11,8 +11,8 @@ class QLineEdit;
 
 namespace hapticell::app {
 
-/// Names, one a row, each with a switch (pair sets, guides). A click on the switch asks for on or off, elsewhere it
-/// chooses the row; a double click on the name or F2 renames, arrow keys move, Enter switches, letters search.
+/// Names, one a row, each with a switch (pair sets, guides). A click on the switch asks for on or off; elsewhere it
+/// chooses the row. A double click on the name or F2 renames, arrow keys move, Enter switches, letters search.
 class SwitchList : public QWidget {
   Q_OBJECT
  public:
@@ -20,10 +20,10 @@ class SwitchList : public QWidget {
     QString name;
     bool on = true;
   };
-  /// `empty` is said where there are no rows.
+  /// `empty` is shown if there are no rows.
   explicit SwitchList(const QString& empty, QWidget* parent = nullptr);
   void setRows(std::vector<Row> rows);
-  /// Numbers at the right of rows, by name; noughts are not shown.
+  /// Numbers at the right of rows, by name; zeros are not shown.
   void setAlerts(const std::map<QString, int>& alerts);
   int current() const { return current_; }  ///< -1 without rows.
   void setCurrent(int index);
@@ -33,7 +33,7 @@ class SwitchList : public QWidget {
  signals:
   void chosen(int index);
   void switched(int index, bool on);
-  /// Another name was typed for the row, not empty.
+  /// The user typed another name for the row; never empty.
   void renamed(int index, const QString& name);
 
  protected:
@@ -53,7 +53,7 @@ class SwitchList : public QWidget {
   int current_ = -1;
   QLineEdit* field_ = nullptr;  ///< While a name is edited.
   int renamed_row_ = -1;
-  QString searched_;  ///< What was typed so far.
+  QString searched_;  ///< The letters typed so far.
   QElapsedTimer since_typed_;
 };
 

@@ -5,9 +5,9 @@
 
 namespace hapticell::app {
 
-/// Opens a file or folder with the desktop's own program for it (xdg-open). It is started by its absolute path, found
-/// by config::systemProgram(), with the absolute path as its only argument and no shell. False if there is no such
-/// program.
+/// Opens a file or folder with the desktop's program for it (xdg-open). Starts it by its absolute path, found by
+/// config::systemProgram(), with the absolute path as the only argument and without a shell. Returns false if there is
+/// no such program.
 bool openWithSystem(const QString& path);
 
 }  // namespace hapticell::app

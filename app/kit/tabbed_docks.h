@@ -11,8 +11,8 @@ class QWidget;
 
 namespace hapticell::app {
 
-/// Docks that share one place as tabs: the tab is the title, so their own title bars are hidden while they are tabbed,
-/// and the buttons to undock and to close stand at the right end of the tab bar.
+/// Docks that share one area as tabs: the tab is the title, so their own title bars are hidden while they are tabbed,
+/// and the buttons to undock and to close are at the right end of the tab bar.
 class TabbedDocks : public QObject {
   Q_OBJECT
  public:

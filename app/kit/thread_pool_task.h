@@ -10,8 +10,8 @@
 
 namespace hapticell::app {
 
-/// Does `work` in a thread of Qt's pool and hands what it gives to `then` in the GUI thread; not called if `owner` no
-/// longer exists. For work of a tenth of a second that needs no progress.
+/// Runs `work` in a thread of Qt's pool and passes its result to `then` in the GUI thread, unless `owner` no longer
+/// exists. For work of a tenth of a second that needs no progress.
 template <class Work, class Then>
 void runInThreadPool(QObject* owner, Work work, Then then) {
   QThreadPool::globalInstance()->start(

@@ -5,8 +5,8 @@
 
 namespace hapticell::app {
 
-/// A key that is text where text is wanted: letters, digits, signs, Space, Delete and Backspace, with Shift or on the
-/// keypad too. Not with Ctrl, Alt or Meta; not Enter, arrows, function keys.
+/// Whether a key is text in a text field: letters, digits, signs, Space, Delete and Backspace, also with Shift or on
+/// the keypad. Not with Ctrl, Alt or Meta; not Enter, arrows or function keys.
 bool isTypedKey(int key, Qt::KeyboardModifiers modifiers);
 
 }  // namespace hapticell::app

@@ -14,17 +14,17 @@ class QImage;
 
 namespace hapticell::app {
 
-/// Writes pictures, one after the other, into a video by the program `ffmpeg`, which must be on the path. The file is
-/// there whole or not at all. Any one thread; add() waits while the program is behind.
+/// Writes pictures, one after the other, into a video with the program `ffmpeg`, which must be on the path. The file is
+/// written completely or not at all. Any one thread; add() waits while the program is behind.
 class VideoWriter {
  public:
   /// True for "film.mp4", "film.webm", "film.mkv", "film.gif".
   static bool isVideo(const QString& file);
-  /// Refused: no such program, odd or no size (both sides are made even by the caller).
+  /// Error: ffmpeg was not found; the size is empty or odd (the caller makes both sides even).
   static Expected<std::unique_ptr<VideoWriter>> open(const QString& file, const QSize& size, int frames_a_second);
   ~VideoWriter();
 
-  /// Of the size given to open(); another one is scaled.
+  /// Adds a picture of the size given to open(); other sizes are scaled.
   Expected<void> add(const QImage& picture);
   Expected<void> finish();
 

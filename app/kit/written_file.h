@@ -11,10 +11,10 @@ class QPdfWriter;
 
 namespace hapticell::app {
 
-// Everything that Qt draws goes to the disk as all other files do: whole or not at all (geometry/system/atomic_file.h).
+// Everything that Qt draws is written like all other files: completely or not at all (geometry/system/atomic_file.h).
 
-/// A picture in the format that the name's ending says (png, jpg, ...). Error: Qt does not write this format; the file
-/// cannot be written.
+/// Writes a picture in the format that the name's ending says (png, jpg, ...). Error: Qt does not write this format, or
+/// the file cannot be written.
 Expected<void> writePicture(const QImage& picture, const QString& path, int quality = -1);
 
 /// A PDF of what `draw` puts on its pages.

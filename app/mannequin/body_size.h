@@ -16,8 +16,8 @@ class MannequinContext;
 class Segmented;
 class ValueField;
 
-/// Size of the chosen mannequin: the four boundary figures, sex, percentile, stature, mass, and single measures of
-/// their own. Each change is one step of undo; the feet stay where they stand.
+/// Size of the chosen mannequin: the four boundary bodies, sex, percentile, stature, mass, and single measures. Each
+/// change is one undo step; the feet stay where they are.
 class BodySize : public QWidget {
   Q_OBJECT
  public:

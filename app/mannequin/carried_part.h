@@ -13,7 +13,7 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// The row *In the hand*: which solid, and the button that takes or releases it. GUI thread.
+/// The row *In the hand*: the solid, and the button that holds or releases it. GUI thread.
 class CarriedPart : public QObject {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class CarriedPart : public QObject {
  private:
   MannequinContext& context_;
   QComboBox* part_;
-  bool part_chosen_ = false;  ///< By the user: it stays when others come or change places.
+  bool part_chosen_ = false;  ///< By the user: the choice stays when other parts are added or move.
   QPushButton* carry_;
 };
 

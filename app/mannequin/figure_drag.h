@@ -13,9 +13,9 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// Drags the mannequin by a hand, both hands or the head to the mouse's target, in a separate thread: through the same
-/// held entity that the stylus moves, so that nothing is entered and limits, feet and balance hold. All between begin()
-/// and end() is one step of undo. GUI thread.
+/// Moves the mannequin by a hand, both hands or the head to the mouse's target, in a separate thread: by the same held
+/// entity that the stylus moves, so that nothing is penetrated and limits, feet and balance are respected. Everything
+/// between begin() and end() is one undo step. GUI thread.
 class FigureDrag : public QObject {
   Q_OBJECT
  public:
@@ -23,11 +23,11 @@ class FigureDrag : public QObject {
   ~FigureDrag() override;
 
   using Turn = manipulation::FigureWay::Turn;
-  /// Takes the mannequin in its present posture. `text` names the step.
+  /// Starts from the mannequin's present posture. `text` names the undo step.
   void begin(const QString& text, const manipulation::MovedBy& moved_by, Turn turn = Turn::kAsWanted);
-  /// Where the moved frame shall be; the newest counts, and is reached even when end() follows at once.
+  /// Sets the target of the moved frame; only the newest counts, and it is reached even if end() follows at once.
   void moveTo(const Pose& X_WM);
-  /// Ends it in its present posture; `keep` false takes all back.
+  /// Ends at the present posture; if not `keep`, reverts everything.
   void end(bool keep = true);
   bool isOpen() const { return open_; }
   bool isBusy() const { return busy_; }
@@ -35,7 +35,7 @@ class FigureDrag : public QObject {
   /// How the last motion ended.
   using Reach = manipulation::FigureWay::Reach;
   const std::optional<Reach>& reach() const { return reach_; }
-  /// What holds it up is the figure itself.
+  /// True if the mannequin's own body stopped the motion.
   bool isOwnBody() const;
 
  signals:
@@ -49,7 +49,7 @@ class FigureDrag : public QObject {
   void refuse(const QString& why);
   void finish();
   void forgetCell();
-  /// Forgets how the last motion ended once the figure stands otherwise (undo, a posture).
+  /// Forgets how the last motion ended if the mannequin has another posture since (undo, a posture).
   void forgetReach();
   MannequinContext& context_;
   std::shared_ptr<Work> work_;
@@ -61,7 +61,7 @@ class FigureDrag : public QObject {
   QThreadPool pool_;
 };
 
-/// Pose of what a hand or the head is drawn by: the grip, the middle between both hands, the point between the eyes.
+/// Pose of the frame by which a hand or the head is moved: the grip, the middle of both hands, the middle of the eyes.
 Pose movedFrame_W(const workcell::Entity& entity, const manipulation::EntityConfiguration& stands,
                   const manipulation::MovedBy& held);
 

@@ -19,9 +19,9 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// What is drawn about the mannequin in the scene, with its switches: how far its hands and those of P5, P50 and P95
-/// get, working zones, what it sees, its balance; the view through its eyes; and whether it sees what was chosen last.
-/// GUI thread; surfaces that take long are made beside it once the figure rests.
+/// What the scene draws about the mannequin, with its switches: its reach and that of P5, P50 and P95, working zones,
+/// its view, its balance; the view through its eyes; and whether it sees what was selected last. GUI thread; surfaces
+/// that take long are made in the background once the mannequin is at rest.
 class FigureDrawings : public QWidget {
   Q_OBJECT
  public:

@@ -11,15 +11,15 @@
 
 namespace hapticell::app {
 
-/// How a body of the sketch is filled.
+/// The look of a body of the sketch.
 using BodyFill = std::function<LinkLook(std::size_t body)>;
 
-/// Draws the figure with QPainter into a rectangle, feet at its bottom; a pixel means `metres_per_pixel`, or what fits.
-/// `flesh` is kept by the caller.
+/// Draws the mannequin with QPainter into a rectangle, feet at its bottom; a pixel is `metres_per_pixel`, or chosen so
+/// that it fits. The caller keeps `flesh`.
 void drawFigure(QPainter& painter, const QRectF& area, const std::vector<mannequin::OutlinePart>& parts,
                 const BodyFill& fill, const QColor& line);
 
-/// The figure in its present posture, with what the stylus holds in the selection colour.
+/// The mannequin in its present posture, with what the stylus holds in the selection colour.
 class FigureSketch : public QWidget {
   Q_OBJECT
  public:

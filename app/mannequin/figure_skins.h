@@ -11,12 +11,12 @@ namespace hapticell::app {
 
 class Host;
 
-/// Sees to it that every mannequin is drawn in its skin (mannequin/shape/figure_skin.h) in place of its links. It is
-/// made beside the window once for each size; until it is there, some seconds, the links are seen. GUI thread.
+/// Makes every mannequin draw its skin (mannequin/shape/figure_skin.h) in place of its links. Skins are made in the
+/// background once for each size; until then, for some seconds, the links are shown. GUI thread.
 class FigureSkins : public QObject {
  public:
   explicit FigureSkins(Host& host, QObject* parent = nullptr);
-  /// Looks whether a figure lacks its skin; to be called some times a second.
+  /// Checks whether a mannequin lacks its skin; call it a few times a second.
   void look();
 
  private:
@@ -25,7 +25,7 @@ class FigureSkins : public QObject {
   bool asking_ = false;
 };
 
-/// The skin of a figure; figures of one size share it as long as somebody has it. Takes some seconds the first time.
+/// The skin of a figure; figures of one size share it while it is in use. Takes some seconds the first time.
 std::shared_ptr<const mannequin::FigureSkin> figureSkin(const mannequin::Figure& figure);
 
 }  // namespace hapticell::app

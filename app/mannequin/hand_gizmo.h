@@ -13,9 +13,9 @@ namespace hapticell::app {
 class FigureDrag;
 class MannequinContext;
 
-/// Drags what of the mannequin is chosen (a hand, both, the head, the whole figure) with the mouse, along or about the
-/// axes of the cell. The body follows; where the target is out of reach it says by how many millimetres. Escape takes a
-/// drag back.
+/// Drags the chosen part of the mannequin (a hand, both, the head, all of it) with the mouse, along or about the axes
+/// of the cell. The body follows; if the target is out of reach, it says by how many millimetres. Escape reverts a
+/// drag.
 class HandGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
@@ -50,7 +50,7 @@ class HandGizmo final : public QObject, public PointerTool {
   std::optional<Drag> drag_;
 };
 
-/// "Right hand is 62 mm short of the target", "Right hand touches Bench"; empty: it is where it was wanted.
+/// "Right hand is 62 mm short of the target", "Right hand touches Bench"; empty if it is at the target.
 QString reachText(const FigureDrag& drag, const manipulation::MovedBy& held);
 /// "Right hand".
 QString nameOfHeld(const manipulation::MovedBy& held);

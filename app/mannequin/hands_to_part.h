@@ -15,21 +15,21 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// Sends the mannequin's hands to a part: one hand to the place that is picked, both to the two opposite sides of the
-/// part there; or seats it on a part that bears it from below (a chair, a stool). The whole body finds its posture in a
-/// thread of its own, with what is locked; one step of undo. What is not reached is said in a message, with by how
-/// much. GUI thread.
+/// Moves the mannequin's hands to a part: one hand to the picked point, both to the two opposite sides of the part
+/// there; or seats it on a part that supports it from below (a chair, a stool). The posture of the whole body is
+/// computed in a separate thread and respects what is locked; one undo step. A message says what is not reached and by
+/// how much. GUI thread.
 class HandsToPart : public QObject {
   Q_OBJECT
  public:
   enum class Hands { kLeft, kRight, kBoth };
-  /// Makes the entries: those of `menu` ask for a place in the scene, those of the scene's own menu (found by their
-  /// names, actionLeftHandHere and so on) take the place of its click.
+  /// Makes the menu entries: those of `menu` ask for a pick in the scene; those of the scene's own menu (found by their
+  /// names, actionLeftHandHere and so on) use the point that was clicked.
   HandsToPart(MannequinContext& context, QMenu& menu, QObject* parent = nullptr);
-  /// Asks for the place by a pick.
+  /// Asks for the point by a pick.
   void pick(Hands hands);
   void send(Hands hands, const PickedFeature& place);
-  /// On a chair's or stool's seat, or at the picked place of a face that looks up.
+  /// Seats the mannequin on a chair's or stool's seat, or at the picked point of a face that looks up.
   void sit(const PickedFeature& place);
   bool isBusy() const { return busy_; }
 
@@ -40,7 +40,7 @@ class HandsToPart : public QObject {
   MannequinContext& context_;
   std::array<QAction*, 3> here_{}, to_{};
   QAction* sit_ = nullptr;
-  std::optional<PickedFeature> place_;  ///< Of the scene's menu.
+  std::optional<PickedFeature> place_;  ///< Where the scene's menu was opened.
   bool busy_ = false;
 };
 

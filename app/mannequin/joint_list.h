@@ -14,8 +14,8 @@ namespace hapticell::app {
 class JointRow;
 class MannequinContext;
 
-/// All 56 joints of the mannequin and its gaze with their limits, by part of the body: a drag of a row is one step of
-/// undo. What limits of shoulders and hips hold together (the coupled ones) stops a row too.
+/// All 56 joints of the mannequin and its gaze with their limits, by part of the body. A drag of a row is one undo
+/// step. Coupled limits of shoulders and hips stop a row too.
 class JointList : public QWidget {
   Q_OBJECT
  public:
@@ -34,7 +34,7 @@ class JointList : public QWidget {
     JointRow* row;
   };
   std::vector<Row> rows_;
-  std::array<JointRow*, 2> gaze_{};  ///< To the side, down.
+  std::array<JointRow*, 2> gaze_{};  ///< Sideways, down.
 };
 
 }  // namespace hapticell::app

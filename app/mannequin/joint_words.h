@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// A joint angle of a mannequin as users read it, without its side: "ankle plantar flexion" for the H-Anim name
+/// A joint angle of a mannequin in the user's words, without its side: "ankle plantar flexion" for the H-Anim name
 /// "l_talocrural_plantar_flexion".
 QString jointName(const QString& h_anim_name);
 

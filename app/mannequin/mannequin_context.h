@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// The mannequin that the panels of this folder and of the ergonomics are about: the selected one, else the one that
-/// was selected last, else the first of the cell. GUI thread.
+/// The mannequin that the panels of this folder and of the ergonomics show: the selected one, else the one that was
+/// selected last, else the first of the cell. GUI thread.
 class MannequinContext : public QObject {
   Q_OBJECT
  public:
@@ -21,16 +21,16 @@ class MannequinContext : public QObject {
   Host& host() const { return host_; }
   /// The mannequin of the document; null without a mannequin.
   const workcell::Entity* entity() const;
-  /// The posture now, a running hold or a played motion included. Only while there is one.
+  /// The present posture, including a running hold or a played motion. Only valid if there is a mannequin.
   mannequin::Posture posture() const;
   /// The solid or robot selected last, at which the mannequin looks. Null if there is no such entity.
   const workcell::Entity* target() const;
   bool isHeld() const;
-  /// False while it is held or locked: nothing may be set then.
+  /// False while it is held or locked, when nothing may be set.
   bool isFree() const;
 
  signals:
-  void mannequinChanged();  ///< Another one, or of another size, name or lock.
+  void mannequinChanged();  ///< Another mannequin, or its size, name or lock changed.
   void documentChanged();   ///< Anything in the document.
 
  private:

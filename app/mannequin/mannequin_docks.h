@@ -5,7 +5,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// The dock of the mannequin, its menu and its handles, tabbed behind the docks of the right side.
+/// Adds the mannequin's dock, tabbed behind the docks of the right side, its menu and its handles.
 void addMannequinDocks(Host& host);
 
 }  // namespace hapticell::app

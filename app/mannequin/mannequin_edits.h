@@ -10,24 +10,24 @@
 
 namespace hapticell::app {
 
-// What the dock of mannequins does to the document, as commands; no widgets.
+// What the dock of the mannequin does to the document, as commands; no widgets.
 
-/// The posture that the document has.
+/// The mannequin's posture in the document.
 mannequin::Posture postureOf(const workcell::Entity& entity);
 
-/// Takes the figure into a posture.
+/// The command that sets a posture.
 workcell::Command postureCommand(const workcell::Entity& entity, const mannequin::Posture& posture);
 
-/// A built-in posture at the figure's present place: same place and heading, standing or sitting on the floor under it.
+/// A built-in posture at the mannequin's present position and heading, standing or sitting on the floor below it.
 std::optional<mannequin::Posture> libraryPostureAt(const workcell::Entity& entity, std::string_view name);
-/// A posture of a file (its root is placed as above unless `has_root`).
+/// A posture from a file (its root is placed as above unless `has_root`).
 mannequin::Posture placedHere(const workcell::Entity& entity, mannequin::Posture posture);
 
-/// What the figure was built from, read from its source; where that says nothing of use, its sex and stature.
+/// The request that the mannequin was built from, read from its source; if that is unusable, its sex and stature.
 mannequin::BodyRequest requestOf(const workcell::Entity& entity);
 
-/// A body of another size with the same joint angles, standing on the same place: one step. Takes a tenth of a second;
-/// any thread. Errors of makeFigure().
+/// The commands that give the mannequin another size, with the same joint angles and position: one undo step. Takes a
+/// tenth of a second; any thread. Errors of makeFigure().
 Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& entity,
                                                         const mannequin::BodyRequest& request);
 
@@ -35,7 +35,7 @@ Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& 
 Expected<workcell::Entity> newMannequin(const mannequin::BodyRequest& request, const Pose& X_WE,
                                         const std::vector<std::string>& taken);
 
-/// Link of a hand, for what it carries.
+/// Name of a hand's link, for what it carries.
 const char* handLink(mannequin::Side side);
 
 }  // namespace hapticell::app

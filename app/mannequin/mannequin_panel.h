@@ -25,24 +25,24 @@ class MannequinContext;
 class ReachLines;
 class Segmented;
 
-/// The dock of the mannequin: what of it the stylus holds, what is locked, its size, its hands, its posture, its
-/// joints, and how far the hand is from where it was wanted.
+/// The dock of the mannequin: what the stylus holds of it, what is locked, its size, its hands, its posture, its
+/// joints, and how far the hand is from its target.
 class MannequinPanel : public QWidget {
   Q_OBJECT
  public:
   MannequinPanel(MannequinContext& context, FigureDrag& drag, QWidget* parent = nullptr);
-  /// Ten times a second and after changes.
+  /// Updates the panel; called ten times a second and after changes.
   void showNow();
-  /// The section that the drawings put their switches into.
+  /// The section for the switches of the drawings.
   QVBoxLayout& drawings() { return *drawings_; }
-  /// Asks for a file, beginning with the user's own postures.
+  /// Asks for a file, starting in the folder of the user's own postures.
   void openPosture();
   void savePosture();
-  /// Takes a posture of a file; errors are shown in the messages.
+  /// Applies a posture from a file; shows errors in the messages.
   bool openPostureFile(const QString& path);
-  /// Where the user's own postures are: those there stand in the menu.
+  /// The folder of the user's own postures; the menu lists those in it.
   static QString postureFolder();
-  /// By its ending: .json, .x3d (H-Anim) or .bvh (one frame).
+  /// Saves in the format of the file's ending: .json, .x3d (H-Anim) or .bvh (one frame).
   bool savePostureFile(const QString& path);
 
  signals:

@@ -17,8 +17,8 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// Recorded markers (C3D) as small balls in the scene, with play and a slider for the moment. They stand about the
-/// mannequin where there is one, so that its posture can be compared. GUI thread; files are read beside it.
+/// Recorded markers (C3D) as small balls in the scene, with play and a time slider. They are drawn at the mannequin if
+/// there is one, so that its posture can be compared. GUI thread; files are read in the background.
 class MarkerPanel : public QWidget {
   Q_OBJECT
  public:

@@ -11,7 +11,7 @@ namespace hapticell::app {
 class FigureDrag;
 class MannequinContext;
 
-/// How far the hand is from where it was wanted, and what would help. GUI thread.
+/// How far the hand is from its target, and what would help. GUI thread.
 class ReachLines : public QObject {
  public:
   /// Context and drag must outlive it.

@@ -5,7 +5,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// The dock that measures; made when it is first wanted.
+/// Adds the dock for measuring; it is made when it is first opened.
 void addMeasureDock(Host& host);
 
 }  // namespace hapticell::app

@@ -22,18 +22,18 @@ namespace hapticell::app {
 class Host;
 class Segmented;
 
-/// Measures picked corners, edges and faces, one or two of them, or the least distance of two parts, with components,
-/// and copies the numbers. What is measured is drawn in the scene until the panel is closed or another is measured.
+/// Measures picked corners, edges and faces, one or two of them, or the smallest distance of two parts, with
+/// components, and copies the numbers. The scene shows them until the panel is closed or something else is measured.
 class MeasurePanel : public QWidget {
   Q_OBJECT
  public:
   explicit MeasurePanel(Host& host, QWidget* parent = nullptr);
   ~MeasurePanel() override;
-  /// Begins to pick; called when the dock is opened.
+  /// Starts picking; called when the dock is opened.
   void begin();
-  /// Ends picking and takes the lines away.
+  /// Ends picking and removes the lines.
   void end();
-  /// The results as text, one a line.
+  /// The results as text, one per line.
   QString text() const;
 
  private:
@@ -59,8 +59,8 @@ class MeasurePanel : public QWidget {
   std::vector<PickedFeature> picked_;
   QStringList lines_;
   bool picking_ = false;
-  std::shared_ptr<ColliderCache> cache_;        // Only the worker's while one measures.
-  std::shared_ptr<std::atomic<bool>> current_;  // Of the newest question; false inside: nobody waits for it.
+  std::shared_ptr<ColliderCache> cache_;        // Used by the worker only, while one measures.
+  std::shared_ptr<std::atomic<bool>> current_;  // Flag of the newest request; false: its answer is not needed any more.
   QThreadPool worker_;
 };
 

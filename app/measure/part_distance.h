@@ -22,12 +22,12 @@ struct PlacedMesh {
 /// The meshes of an entity as the scene shows it now.
 std::vector<PlacedMesh> placedMeshes(const SceneModel& scene, workcell::EntityId entity);
 
-/// Trees of meshes that were measured before, so that the second question is quick. Not shared between threads at once.
+/// Search trees of meshes measured before, which make later measurements quick. One thread at a time.
 using ColliderCache =
     std::map<std::shared_ptr<const geometry::TriangleMesh>, std::shared_ptr<const collision::MeshCollider>>;
 
-/// The least distance of two parts, exactly; nothing where one has no mesh or `cancelled` answers true. Builds the
-/// trees that `cache` lacks, so call it in a separate thread.
+/// The exact smallest distance of two parts; empty if one has no mesh or `cancelled` returns true. Builds the trees
+/// that `cache` lacks, so call it in a separate thread.
 std::optional<collision::DistanceResult> partDistance(const std::vector<PlacedMesh>& a,
                                                       const std::vector<PlacedMesh>& b, ColliderCache& cache,
                                                       const std::function<bool()>& cancelled = {});

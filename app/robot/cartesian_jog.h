@@ -16,34 +16,34 @@ class Segmented;
 class ValueField;
 
 /// Jogs the tool centre point along and about the axes of the base, of the tool, of the world or of a frame of the
-/// cell, straight and in the configuration that the robot stands in.
+/// cell, in a straight line and in the robot's present configuration.
 class CartesianJog : public QWidget {
   Q_OBJECT
  public:
   CartesianJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
   void setStep(const JogStepSize& step) { step_ = step; }
-  /// Takes the newest pose; called a few times a second.
+  /// Shows the newest pose; called a few times a second.
   void showNow();
   kinematics::JogFrame frame() const;
-  /// Where the frame that is jogged in stands now.
+  /// The present pose of the frame for jogging.
   Pose frame_W() const;
 
  signals:
-  /// What held a step back; empty: nothing did.
+  /// What limited a step; empty: nothing did.
   void held(const QString& why);
   void frameChosen();
 
  private:
   void addRow(int axis);
   void showFrames();
-  /// One step along (0 .. 2) or about (3 .. 5) an axis by so many mm or degrees.
+  /// Moves one step along (0 to 2) or about (3 to 5) an axis, by an amount in mm or degrees.
   void jog(int axis, double amount);
   void typed(int axis, double value);
   std::array<double, 6> numbersNow() const;
   RobotContext& context_;
   JointMover& mover_;
   Segmented* frame_;
-  ReferenceChoice* given_;  ///< Which frame, where one of the cell is meant.
+  ReferenceChoice* given_;  ///< The frame, if one of the cell is chosen.
   QWidget* given_row_;
   std::array<ValueField*, 6> fields_{};
   std::array<std::array<HoldButton*, 2>, 6> buttons_{};

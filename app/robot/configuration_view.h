@@ -16,14 +16,14 @@ class JointMover;
 class MotionWorker;
 class RobotContext;
 
-/// "Choose configuration": all ways to hold the tool where it is, with the ghost of the row under the mouse or chosen
-/// in the scene, and the button that goes there.
+/// "Choose configuration": all ways to hold the tool where it is, with a ghost of the row under the mouse or the chosen
+/// row in the scene, and the button that moves there.
 class ConfigurationView : public QWidget {
   Q_OBJECT
  public:
   ConfigurationView(RobotContext& context, MotionWorker& worker, JointMover& mover, QWidget* parent = nullptr);
   ConfigurationModel& model() { return model_; }
-  /// Goes to the chosen row.
+  /// Moves to the chosen row.
   void take();
 
  signals:
@@ -40,7 +40,7 @@ class ConfigurationView : public QWidget {
   void showGhost();
   void showStale();
   void showFoot();
-  int shownRow() const;  ///< Hovered, else chosen; -1: none.
+  int shownRow() const;  ///< The hovered row, else the chosen one; -1: none.
   RobotContext& context_;
   MotionWorker& worker_;
   JointMover& mover_;
@@ -50,7 +50,7 @@ class ConfigurationView : public QWidget {
   QPushButton* take_;
   QTimer ask_;
   int hovered_ = -1;
-  std::vector<double> asked_, keep_;  ///< Joints that the list is for; solution that was chosen.
+  std::vector<double> asked_, keep_;  ///< Joints that the list is for; the chosen solution.
 };
 
 }  // namespace hapticell::app

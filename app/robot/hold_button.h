@@ -6,12 +6,12 @@
 
 namespace hapticell::app {
 
-/// A button that steps while it is held: began() when it goes down, stepped() at once and then again and again, ended()
-/// when it comes up. Space holds it too.
+/// A button that repeats steps while it is held: emits began() when it is pressed, stepped() at once and then
+/// repeatedly, and ended() when it is released. The Space key can hold it too.
 class HoldButton : public QPushButton {
   Q_OBJECT
  public:
-  /// `icon_name` is one of the program's icons; `purpose` is what it does, for tool tip and screen reader.
+  /// `icon_name` is one of the program's icons; `purpose` says what it does, for tool tip and screen reader.
   HoldButton(const QString& icon_name, const QString& purpose, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {26, 26}; }
 

@@ -12,15 +12,15 @@ namespace hapticell::app {
 class RobotContext;
 class Segmented;
 
-/// What the hand holds of the robot: its tool or its base, which tool, whether the axes that it stands on go along, and
-/// what yields at a singularity.
+/// What the hand holds of the robot: its tool or its base, which tool, whether the external axes that carry it move
+/// along, and what yields at a singularity.
 class HoldingView : public QWidget {
   Q_OBJECT
  public:
   explicit HoldingView(RobotContext& context, QWidget* parent = nullptr);
-  /// The newest choices and tools.
+  /// Shows the newest choices and tools.
   void showNow();
-  /// Tools are chosen only while the robot is neither held nor locked.
+  /// Allows a choice of tools only while the robot is neither held nor locked.
   void setFree(bool free);
 
  signals:

@@ -8,13 +8,13 @@
 
 namespace hapticell::app {
 
-/// How far one step of a jog button goes.
+/// Size of one step of a jog button.
 struct JogStepSize {
   double degrees = 1.0;
   double millimetres = 1.0;
 };
 
-/// A button that jogs: all that it does while it is held is one step of undo, called `text()`.
+/// Connects a button to jogging: everything between press and release is one undo step, named `text()`.
 inline void connectJog(HoldButton* button, JointMover& mover, const std::function<QString()>& text,
                        const std::function<void()>& step) {
   QObject::connect(button, &HoldButton::began, &mover, [&mover, text] { mover.begin(text()); });

@@ -14,14 +14,14 @@ class JointRow;
 class RobotContext;
 class ValueField;
 
-/// The joints of a robot or mechanism, a row each: scale between the limits, number, step buttons.
+/// The joints of a robot or mechanism, one per row: scale between the limits, number, step buttons.
 class JointJog : public QWidget {
   Q_OBJECT
  public:
   JointJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
-  /// The step of the buttons.
+  /// Sets the step of the buttons.
   void setStep(const JogStepSize& step) { step_ = step; }
-  /// Takes the newest positions; called a few times a second.
+  /// Shows the newest positions; called a few times a second.
   void showNow();
   std::size_t rows() const { return rows_.size(); }
 

@@ -14,11 +14,11 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// End stops, speed, drag and pitch of a joint of a mechanism: in degrees, or in millimetres for slides. GUI thread.
+/// Joint limits, speed, drag and pitch of a joint of a mechanism: in degrees, or in millimetres for slides. GUI thread.
 class JointLimitFields : public QObject {
   Q_OBJECT
  public:
-  /// Changes the joint that is shown.
+  /// A function that changes the shown joint.
   using Edit = std::function<void(const std::function<void(workcell::MechanismJoint&)>&)>;
   JointLimitFields(QVBoxLayout& rows, Edit edit, QObject* parent = nullptr);
   void show(const workcell::MechanismJoint& joint);

@@ -16,8 +16,8 @@ namespace hapticell::app {
 class MotionWorker;
 class RobotContext;
 
-/// Moves the joints of the context's robot, as far as the way is free of collisions. All between begin() and end() is
-/// one step of undo. GUI thread; checks run beside it and the newest target wins.
+/// Moves the joints of the context's robot, as far as the path is free of collisions. Everything between begin() and
+/// end() is one undo step. GUI thread; checks run in the background, and only the newest target counts.
 class JointMover : public QObject {
   Q_OBJECT
  public:
@@ -26,20 +26,20 @@ class JointMover : public QObject {
 
   void begin(const QString& text);
   void moveTo(const std::vector<double>& joints);
-  /// Ends the step once the last motion is checked; `keep` false takes all of it back.
+  /// Ends the undo step once the last motion is checked; if not `keep`, reverts all of it.
   void end(bool keep = true);
-  /// One step by itself.
+  /// Moves the joints as one undo step.
   void step(const QString& text, const std::vector<double>& joints);
-  /// Goes to these joints only where the whole way is free, seen as a motion of at most a second; one step.
+  /// Moves to these joints only if the whole path is free, shown as a motion of at most a second; one undo step.
   void travel(const QString& text, const std::vector<double>& joints);
   /// A motion is being checked or played.
   bool isBusy() const { return checking_ || playing_.isActive(); }
   bool isOpen() const { return open_; }
-  /// Where the newest step leads, from which the next one goes on: the robot's joints while nothing is under way.
+  /// The target of the newest step, from which the next one starts; the robot's joints while nothing moves.
   std::vector<double> target() const;
 
  signals:
-  /// The newest motion is done: nothing, or what stopped it: a sentence, and the obstacle's name (empty: a limit).
+  /// The newest motion ended. If something stopped it: a sentence, and the obstacle's name (empty: a limit).
   void stopped(const QString& why, const QString& obstacle);
 
  private:

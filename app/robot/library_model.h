@@ -11,15 +11,15 @@
 
 namespace hapticell::app {
 
-/// The built-in robots as a list: data sheets at once, models and pictures as they come. GUI thread.
+/// The built-in robots as a list: data sheets at once, models and pictures as they become ready. GUI thread.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
  public:
   enum Role {
     kSecondLineRole = Qt::UserRole,  ///< "KUKA · 6-axis · 16 kg".
-    kPictureRole,                    ///< QImage; null until it was drawn.
+    kPictureRole,                    ///< QImage; null until it is drawn.
     kMakerRole,
-    kSearchRole,  ///< Everything that a search looks at.
+    kSearchRole,  ///< All text that a search looks at.
   };
   explicit LibraryModel(std::vector<workcell::LibraryRobot> robots, QObject* parent = nullptr);
 

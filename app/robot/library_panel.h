@@ -23,7 +23,7 @@ class GhostPlacer;
 class Host;
 class PlaceFields;
 
-/// Shows those whose words match the search and whose maker is the chosen one.
+/// Shows the robots that match the search and are of the chosen maker.
 class LibraryFilter : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -36,8 +36,8 @@ class LibraryFilter : public QSortFilterProxyModel {
   QString search_, maker_;
 };
 
-/// "Add robot": the built-in robots with pictures, search and maker, where the chosen one shall stand, and the button
-/// that adds it as one step of undo. One that is clicked follows the pointer over the scene as a ghost until a click
+/// "Add robot": the built-in robots with pictures, search and maker, the placement of the new robot, and the button
+/// that adds it as one undo step. A robot that is clicked follows the pointer over the scene as a ghost until a click
 /// there adds it.
 class LibraryPanel : public QWidget {
   Q_OBJECT

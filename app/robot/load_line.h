@@ -13,8 +13,8 @@ namespace hapticell::app {
 class LiveLabel;
 class RobotContext;
 
-/// What the robot carries at its flange against what its maker allows, in words that say what is not known. Keeps its
-/// room when the robot carries nothing. GUI thread.
+/// The robot's load compared with its payload, in words that also say what is unknown. Keeps its room when the robot
+/// carries nothing. GUI thread.
 class LoadLine : public QWidget {
   Q_OBJECT
  public:
@@ -28,7 +28,7 @@ class LoadLine : public QWidget {
   void showLoad();
   RobotContext& context_;
   LiveLabel* words_;
-  std::vector<std::shared_ptr<const workcell::Entity>> weighed_;  ///< What the words are about; entities never change.
+  std::vector<std::shared_ptr<const workcell::Entity>> weighed_;  ///< Parts of the shown text; entities never change.
 };
 
 /// "Load 12 kg of 16 kg allowed, centre 85 mm from flange".

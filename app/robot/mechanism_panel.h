@@ -21,16 +21,16 @@ class RobotContext;
 class Segmented;
 class ValueField;
 
-/// Lays joints between parts of the cell and makes a mechanism of them, or changes the joints of one: kind, the two
+/// Defines joints between parts of the cell and makes a mechanism of them, or changes the joints of one: kind, the two
 /// parts, axis picked in the scene and shown there, limits, friction, coupling.
 class MechanismPanel : public QWidget {
   Q_OBJECT
  public:
   explicit MechanismPanel(RobotContext& context, QWidget* parent = nullptr);
   const MechanismDraft& draft() const { return draft_; }
-  /// Begins with the mechanism of the context, or with a new one.
+  /// Starts with the mechanism of the context, or with a new one.
   void begin();
-  /// A mechanism from the samples, as one step of undo.
+  /// Adds a mechanism from the samples, as one undo step.
   void addSample(MechanismSample sample);
 
  signals:

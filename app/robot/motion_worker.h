@@ -29,22 +29,22 @@ class MotionWorker : public QObject {
   /// How far the robot can go straight to these joints.
   void checkMotion(workcell::EntityId robot, const std::vector<double>& joints, MotionAnswer answer);
 
-  /// The ways to all of `targets`, one answer each; a new call drops what is left of the one before.
+  /// Checks the motions to all of `targets`, one answer each; a new call drops the remaining ones of the call before.
   using WayAnswer = std::function<void(std::size_t index, const Expected<manipulation::JointMotion>&)>;
   void checkWays(workcell::EntityId robot, std::vector<std::vector<double>> targets, WayAnswer answer);
-  /// Drops the ways that are still to be checked.
+  /// Drops the motions that are still to be checked.
   void dropWays() { ++*ways_; }
 
   using ListAnswer = std::function<void(std::vector<kinematics::ListedSolution>)>;
-  /// All solutions for the tool centre point where it stands at `joints`; a new call drops the one before.
+  /// Lists all solutions for the tool pose that the robot has at `joints`; a new call drops the one before.
   void listSolutions(const workcell::Entity& robot, std::vector<double> joints, ListAnswer answer);
 
-  /// Makes the scene ready in advance.
+  /// Prepares the scene in advance.
   void warmUp();
 
  private:
   struct Scene;
-  /// The document as it stands when something is asked.
+  /// The present document, for a question.
   std::shared_ptr<const manipulation::SceneSource> snapshot();
   void run(std::function<void()> work);
 

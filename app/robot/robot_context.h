@@ -12,8 +12,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// The robot or mechanism that the panels of this folder are about: the selected one, else the one that was selected
-/// last. GUI thread.
+/// The robot or mechanism that the panels of this folder show: the selected one, else the one that was selected last.
+/// GUI thread.
 class RobotContext : public QObject {
   Q_OBJECT
  public:
@@ -22,30 +22,30 @@ class RobotContext : public QObject {
   Host& host() const { return host_; }
   /// The robot of the document; null without a robot.
   const workcell::Entity* robot() const;
-  /// True for a mechanism: it has joints, but no tool centre point to bring somewhere.
+  /// True for a mechanism: it has joints, but no tool centre point to move.
   bool isMechanism() const;
-  /// Where it stands now, a running hold or played motion included.
+  /// The present joint values, including a running hold or a played motion.
   std::vector<double> joints() const;
   Pose base_W() const;
   Pose tool_W() const;
   bool isHeld() const;
-  /// False while it is held or locked: nothing may be set then.
+  /// False while it is held or locked, when nothing may be set.
   bool isFree() const;
-  /// For its tool centre point; null where no joint moves that, and for mechanisms.
+  /// For its tool centre point; null if no joint moves it, and for mechanisms.
   const kinematics::InverseModel* inverse() const;
-  /// "A5", else "A3" by its number where the joint's own name is long.
+  /// "A5", or "A3" made from the joint's number if its own name is long.
   QString jointName(std::size_t variable) const;
 
  signals:
-  void robotChanged();     ///< Another robot, or another model, tool or set of tools of the same one.
-  void documentChanged();  ///< Anything in the document, the joints for instance.
+  void robotChanged();     ///< Another robot, or the model, the tool or the set of tools changed.
+  void documentChanged();  ///< Anything in the document changed, the joints for instance.
 
  private:
   void follow();
   void lookAgain();
   Host& host_;
   workcell::EntityId robot_ = 0;
-  std::shared_ptr<const workcell::Entity> seen_;  // What robotChanged() was last told about.
+  std::shared_ptr<const workcell::Entity> seen_;  // The robot at the last robotChanged().
   mutable std::unique_ptr<const kinematics::InverseModel> inverse_;
   mutable bool inverse_made_ = false;
 };

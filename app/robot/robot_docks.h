@@ -5,10 +5,10 @@ namespace hapticell::app {
 
 class Host;
 
-/// Adds the panels about robots to a window that is being set up: dockRobot, and those that are opened from it.
+/// Adds the panels about robots to a window that is being set up: dockRobot, and those that it opens.
 ///
-/// dockRobot comes to the front by itself when a robot or mechanism is selected, unless something is held: no panel
-/// moves while the hand works.
+/// dockRobot moves to the front when a robot or mechanism is selected, except while something is held: no panel may
+/// move while the hand works.
 void addRobotDocks(Host& host);
 
 }  // namespace hapticell::app

@@ -25,14 +25,14 @@ class Segmented;
 class RobotStop;
 
 /// The robot's dock: what the hand holds of it, its tool, its configurations, its joints, and why it stops. For a
-/// mechanism the joints alone.
+/// mechanism, only the joints.
 class RobotPanel : public QWidget {
   Q_OBJECT
  public:
   RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& mover, QWidget* parent = nullptr);
-  /// Takes the newest numbers; called ten times a second.
+  /// Shows the newest numbers; called ten times a second.
   void showNow();
-  /// Shows why an arm that is dragged does not follow; empty: it does.
+  /// Shows why a dragged arm does not follow; empty: it follows.
   void showHeldBack(const QString& why);
   ConfigurationView& configurations() { return *configurations_; }
 
@@ -40,9 +40,9 @@ class RobotPanel : public QWidget {
   void toolsWanted();
   void libraryWanted();
   void mechanismWanted();
-  /// The Cartesian tab is seen, or not any more: the gizmo belongs to it.
+  /// The Cartesian tab was shown or hidden: its gizmo follows.
   void cartesianShown(bool shown);
-  /// `R_WF`: its axes now.
+  /// `R_WF`: the present axes of the frame.
   void jogFrameChosen(kinematics::JogFrame frame, const hapticell::dquat& R_WF);
 
  private:

@@ -9,18 +9,18 @@ namespace hapticell::app {
 class RobotContext;
 class StopLine;
 
-/// Why the robot stops or is about to, in one line: a limit, a contact, what ended the last jog, or the nearest limit.
-/// GUI thread.
+/// Why the robot stops or is about to stop, in one line: a limit, a contact, what ended the last jog, or the nearest
+/// limit. GUI thread.
 class RobotStop : public QObject {
  public:
   /// The context must outlive it.
   explicit RobotStop(RobotContext& context, QObject* parent = nullptr);
   StopLine* line() const { return line_; }
-  /// Why the last jog ended early, and what stood in its way; empty: it did not.
+  /// Sets why the last jog ended early, and which obstacle stopped it; empty: it did not.
   void setStopped(const QString& why, const QString& obstacle);
-  /// Why an arm that is dragged does not follow; empty: it does.
+  /// Sets why a dragged arm does not follow; empty: it follows.
   void setHeldBack(const QString& why) { held_back_ = why; }
-  /// Another robot.
+  /// Forgets everything, for another robot.
   void forget();
   void show();
 

@@ -11,13 +11,13 @@ namespace hapticell::app {
 
 class RobotContext;
 
-/// A small picture of the panel's robot in its present pose; drawn a little after it moved, never while it is held.
+/// A small picture of the panel's robot in its present pose; drawn shortly after it moved, never while it is held.
 class RobotThumbnail : public QWidget {
   Q_OBJECT
  public:
   explicit RobotThumbnail(RobotContext& context, QWidget* parent = nullptr);
   QSize sizeHint() const override;
-  /// To be called when another robot is shown.
+  /// Call it when another robot is shown.
   void showRobot();
 
  protected:
@@ -30,8 +30,8 @@ class RobotThumbnail : public QWidget {
   RobotPicture painter_;
   QImage picture_;
   QTimer later_;
-  bool wanted_ = false;  ///< As soon as it is seen.
-  std::vector<double> joints_;  ///< That the picture shows.
+  bool wanted_ = false;         ///< Draw as soon as the widget is visible.
+  std::vector<double> joints_;  ///< The joint values in the picture.
 };
 
 }  // namespace hapticell::app

@@ -9,7 +9,7 @@ class QLabel;
 
 namespace hapticell::app {
 
-/// One line that says why a robot stops or is about to: mark and sentence. It keeps its room when it has nothing to
+/// One line that says why a robot stops or is about to stop: mark and sentence. Keeps its room while it has nothing to
 /// say.
 class StopLine : public QWidget {
   Q_OBJECT

@@ -14,21 +14,21 @@ class JointMover;
 class RobotContext;
 
 /// Drags the robot's tool centre point with the mouse, along or about the axes of base, tool, world or a frame. The arm
-/// follows in its configuration, stops at obstacles, and shows which limit holds it. One drag is one step of undo;
-/// Escape takes it back.
+/// follows in its configuration, stops at obstacles, and shows which limit stops it. One drag is one undo step; Escape
+/// reverts it.
 class TcpGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
   TcpGizmo(RobotContext& context, JointMover& mover, QObject* parent = nullptr);
   ~TcpGizmo() override;
 
-  /// Seen and grabbable only while on.
+  /// Visible and active only while on.
   void setOn(bool on);
-  /// `R_WF`: the axes where they are a given frame's.
+  /// `R_WF`: the axes, if a given frame's.
   void setFrame(kinematics::JogFrame frame, const dquat& R_WF);
-  /// Draws it where the tool stands now.
+  /// Draws the gizmo at the present pose of the tool.
   void showNow();
-  /// Takes a drag back; false where none is.
+  /// Reverts a drag; false if nothing is dragged.
   bool cancel();
 
   bool press(const PointerEvent& event) override;
@@ -38,7 +38,7 @@ class TcpGizmo final : public QObject, public PointerTool {
   QString hint() const override;
 
  signals:
-  /// What holds the arm back while it is dragged; empty: nothing.
+  /// What limits the arm while it is dragged; empty: nothing.
   void held(const QString& why);
 
  private:

@@ -19,7 +19,7 @@ class RobotContext;
 class ValueField;
 
 /// The tools of a robot: named tool centre points, several of them, by numbers or picked on the geometry; and what the
-/// robot carries: parts that are attached to a link and go with it. Each change is one step of undo.
+/// robot carries: parts that are attached to a link and move with it. Each change is one undo step.
 class ToolsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -55,7 +55,7 @@ class ToolsPanel : public QWidget {
   bool showing_ = false;
 };
 
-/// A name that none of the tools has: "Tool", "Tool 2" ...
+/// An unused name: "Tool", "Tool 2" ...
 std::string freeToolName(const std::vector<workcell::ToolFrame>& tools);
 
 }  // namespace hapticell::app

@@ -13,7 +13,7 @@ struct ConfigurationField {
   std::string key;      ///< "manipulation.near_miss"
   QString name;         ///< In plain words and the window's language.
   QString unit;         ///< As shown; empty: none.
-  double per_si = 1.0;  ///< What the file's number is multiplied by to be shown.
+  double per_si = 1.0;  ///< Factor from the file's number to the shown number.
   int decimals = 1;
 };
 
@@ -22,7 +22,7 @@ struct ConfigurationGroup {
   std::vector<ConfigurationField> fields;
 };
 
-/// All settings but those of the page Appearance, in the order of the page; the materials are those that there are.
+/// All settings except those of the page Appearance, in the order of the page; offers the existing materials.
 std::vector<ConfigurationGroup> configurationGroups(const config::Configuration& configuration);
 
 /// "keep_position" in plain words.

@@ -7,13 +7,13 @@
 
 namespace hapticell::app {
 
-/// Takes a gesture of the mouse: after a click (or Enter) the buttons and modifiers that are then held over it,
-/// together, are what it tells. Escape leaves it as it was.
+/// Reads a mouse gesture: after a click (or Enter), reports the buttons and modifiers that are next held over it
+/// together. Escape leaves it unchanged.
 class GestureField : public QPushButton {
   Q_OBJECT
  public:
   explicit GestureField(QWidget* parent = nullptr);
-  /// What is shown; several are joined by " or ".
+  /// The shown gestures, joined by " or ".
   void setGestures(const std::vector<ViewGesture>& gestures);
 
  signals:

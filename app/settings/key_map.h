@@ -13,34 +13,34 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Which keys do what: as shipped, moved for the keyboard, and as the user chose. Watches the window, so that actions
-/// of modules that come later have their keys too. GUI thread.
+/// Shortcuts of all actions: the defaults, adapted to the keyboard, and the user's choices. Watches the window, so that
+/// actions of modules that are loaded later get their keys too. GUI thread.
 class KeyMap : public QObject {
   Q_OBJECT
  public:
   struct Row {
-    QString id;    ///< Name for the settings; stays the same in every language.
+    QString id;    ///< Name in the settings, the same in every language.
     QString text;  ///< What it does.
     QKeySequence shipped, now;
   };
   KeyMap(QMainWindow& window, UserSettings& settings, QObject* parent = nullptr);
 
   std::vector<Row> rows() const;
-  /// An empty sequence: no key. The key of another action is taken from that one.
+  /// Sets a shortcut; an empty sequence removes it. An action that used the key loses it.
   void set(const QString& id, const QKeySequence& key);
-  /// As shipped again.
+  /// Restores the default.
   void reset(const QString& id);
   void resetAll();
-  /// What else the key does now; empty: nothing.
+  /// Name of another action that uses the key now; empty: none.
   QString useOf(const QKeySequence& key, const QString& beside) const;
 
-  /// "qwerty", "qwertz" or "azerty": single keys stay where the left hand finds them.
+  /// "qwerty", "qwertz" or "azerty": keys without modifiers keep their position under the left hand.
   void setKeyboard(const QString& keyboard);
   QString keyboard() const;
   /// False: keys without Ctrl or Alt do nothing (function keys stay).
   void setLettersOn(bool on);
   bool lettersOn() const;
-  /// The shipped key as it is on that keyboard.
+  /// The default key at the same position on that keyboard.
   static QKeySequence movedTo(const QString& keyboard, const QKeySequence& shipped);
 
  signals:

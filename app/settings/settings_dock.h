@@ -7,8 +7,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// Lets the window follow its settings from now on, and adds the dock that changes them (made when it is first opened).
-/// `set_theme` gives the window the dark or the light theme.
+/// Makes the window follow its settings from now on, and adds the dock that changes them (made when it is first
+/// opened). `set_theme` gives the window the dark or the light theme.
 void addSettings(Host& host, const std::function<void(bool dark)>& set_theme);
 
 }  // namespace hapticell::app

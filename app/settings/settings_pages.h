@@ -8,7 +8,7 @@ namespace hapticell::app {
 class Host;
 class KeyMap;
 
-// Pages of the settings dock. Each shows the settings as they are when it is made and writes every change at once.
+// Pages of the settings dock. Each shows the settings at the time when it is made, and writes every change at once.
 
 QWidget* makeAppearancePage(Host& host);
 QWidget* makeUnitsPage(Host& host);

@@ -12,15 +12,15 @@ namespace hapticell::app {
 class Host;
 class UserSettings;
 
-/// What the settings say, as values; what they do not say is as shipped.
+/// The user's settings as values; missing ones have their defaults.
 Units unitsFrom(const UserSettings& settings);
 void storeUnits(const Units& units, UserSettings& settings);
 Navigation navigationFrom(const UserSettings& settings);
-/// "en" or "fr"; without a choice what the desktop speaks, where that is one of them.
+/// "en" or "fr"; without a choice, the desktop's language if it is one of these.
 QString languageFrom(const UserSettings& settings);
 
-/// Lets the window follow its settings: units, navigation, theme (by `set_theme`), motion of the view. At once and at
-/// every change; owned by the window.
+/// Makes the window follow its settings: units, navigation, theme (by `set_theme`), motion of the view. At once and at
+/// every change; the window owns the connection.
 void followSettings(Host& host, const std::function<void(bool dark)>& set_theme);
 
 }  // namespace hapticell::app

@@ -8,14 +8,14 @@
 
 namespace hapticell::app {
 
-/// The last actions of the user and the messages shown, for the report of a crash. All of its memory is there from the
+/// The last actions of the user and the shown messages, for the report of a crash. All memory is allocated at the
 /// start, so that a signal handler can read it at any time.
 class ActionTrail {
  public:
   static constexpr std::size_t kKept = 50;
   static constexpr std::size_t kLongest = 200;  ///< Bytes of an entry; longer ones are cut.
 
-  /// Adds an entry in one line, after the time of day (UTC). One thread at a time.
+  /// Adds an entry as one line, after the time of day (UTC). One thread at a time.
   void add(std::string_view text);
   /// Calls `use` with each entry as a C string, oldest first. Any thread, also in a signal handler: it neither
   /// allocates nor locks.
@@ -34,7 +34,7 @@ class ActionTrail {
   using Entry = std::array<std::atomic<char>, kLongest>;
   static_assert(std::atomic<char>::is_always_lock_free && std::atomic<std::size_t>::is_always_lock_free);
 
-  std::array<Entry, kKept + 1> entries_{};  // One more: that which is being written is not read.
+  std::array<Entry, kKept + 1> entries_{};  // One extra: the entry that is being written is not read.
   std::atomic<std::size_t> count_{0};
 };
 

@@ -10,11 +10,11 @@ class QWidget;
 
 namespace hapticell::app {
 
-/// Hears of every action that is triggered and every button that is clicked, in all windows of the program. GUI thread.
+/// Notices every action that is triggered and every button that is clicked, in all windows of the program. GUI thread.
 class ActionWatch : public QObject {
  public:
-  /// `note` is called with the object name of each, or, where it has none, with its class and the named object that it
-  /// is in: no text that the user has typed. `root` is the window that is there already.
+  /// Calls `note` with the object name of each, or, if it has none, with its class and the named object that contains
+  /// it, but never with text that the user typed. `root` is the existing window.
   ActionWatch(QWidget& root, std::function<void(const QString&)> note);
 
  protected:

@@ -8,13 +8,13 @@ class QToolBar;
 
 namespace hapticell::app {
 
-/// Of the menu File.
+/// Actions of the menu File.
 struct FileActions {
   QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *add_robot_file, *reload, *quit;
   QAction *export_cell, *export_selection, *pack, *report_saved, *report_import, *report_other;
 };
 
-/// Of the menu Edit.
+/// Actions of the menu Edit.
 struct EditActions {
   QAction *undo, *redo;
   QAction* go_back;  ///< Ten seconds of motion.
@@ -23,7 +23,7 @@ struct EditActions {
   QAction* settings;
 };
 
-/// Of the menu Insert, beside those of files.
+/// Actions of the menu Insert, except those of files.
 struct InsertActions {
   QAction *part, *frame;
 };
@@ -34,18 +34,18 @@ struct ViewSettingActions {
   QAction *dark, *light, *side_docks, *reset_layout;
 };
 
-/// Of the menu Help.
+/// Actions of the menu Help.
 struct HelpActions {
   QAction *about, *panel_help, *manual, *scene_text, *first_page;
 };
 
-/// Menus that others add to.
+/// Menus to which other classes add.
 struct WindowMenus {
   QMenu *recent, *view, *insert, *collision, *applications, *windows, *help;
 };
 
-/// All actions of the host window, in menus and tool bar of `window`. They only exist here; who listens connects to
-/// them.
+/// All actions of the host window, in menus and tool bar of `window`. This only defines them; classes that react to
+/// them connect to them.
 struct Actions {
   explicit Actions(QMainWindow& window);
   FileActions file;

@@ -5,26 +5,26 @@
 
 namespace hapticell::app {
 
-/// The program's event loop, which lives through the end of memory.
+/// The program's event loop, which survives running out of memory.
 ///
-/// Where what an event began needs more memory than there is (std::bad_alloc), that event ends there; document commands
-/// are done whole or not at all. Other exceptions are faults of the program and end it: copies are kept for that.
+/// If an event needs more memory than available (std::bad_alloc), only that event is given up; document commands are
+/// done completely or not at all. Other exceptions are program errors and end it: hence the recovery copies.
 class Application : public QApplication {
   Q_OBJECT
  public:
   using QApplication::QApplication;
 
-  /// Events of all objects pass here. False for one that was given up.
+  /// Receives the events of all objects. False for an event that was given up.
   bool notify(QObject* receiver, QEvent* event) override;
 
  signals:
-  /// From the GUI thread, when the given-up event has been left.
+  /// Emitted from the GUI thread after the failed event was left.
   void outOfMemory();
 };
 
 class Host;
 
-/// What the window does then: an open step of the document is taken back, and a message says what to do.
+/// What the window does then: reverts an open undo step, and shows a message with what to do.
 void reportOutOfMemory(Host& host);
 
 }  // namespace hapticell::app

@@ -7,8 +7,8 @@ class QAction;
 
 namespace hapticell::app {
 
-/// Looks like a field to search in and does an action when it is clicked; says the action's name and key. Keeps to it
-/// where the user gives it another key.
+/// Looks like a search field and triggers an action when it is clicked; shows the action's name and shortcut, and
+/// follows changes of the shortcut.
 class CommandBox final : public QAbstractButton {
  public:
   explicit CommandBox(QAction& action, QWidget* parent = nullptr);

@@ -12,13 +12,13 @@ namespace hapticell::app {
 
 /// What a signal handler knows of a crash.
 struct Crash {
-  const char* cause = "";   ///< What broke.
-  const char* thread = "";  ///< The name of the thread in which it broke.
-  bool kept = false;        ///< What was not saved is in the recovery copy.
+  const char* cause = "";   ///< What went wrong.
+  const char* thread = "";  ///< The name of the thread that crashed.
+  bool kept = false;        ///< The unsaved state is in the recovery copy.
 };
 
-/// Writes the report of a crash: a text file with time, cause, version, the last actions and the calls. It stays on
-/// this computer; nothing sends it. Everything that it needs is made beforehand.
+/// Writes the report of a crash: a text file with time, cause, version, the last actions and the call stack. It stays
+/// on this computer; nothing sends it. Everything that it needs is prepared beforehand.
 class CrashReport {
  public:
   static constexpr std::size_t kKept = 10;  ///< Reports in the folder; older ones are removed.
@@ -31,12 +31,12 @@ class CrashReport {
 
   /// `program`: its version, commit, compiler and libraries, in lines. `actions` must outlive this object.
   CrashReport(const std::filesystem::path& folder, std::string program, const ActionTrail& actions);
-  /// Writes crash-DATE-TIME-PROCESS.txt (UTC) into the folder, the calls of this thread last. For a signal handler: it
+  /// Writes crash-DATE-TIME-PROCESS.txt (UTC) into the folder, this thread's call stack last. For a signal handler:
   /// neither allocates nor locks, if backtrace() was called once before.
   void write(const Crash& crash) const;
 
  private:
-  std::string beginning_;  ///< Of the report's path, up to the date.
+  std::string beginning_;  ///< Start of the report's path, up to the date.
   std::string program_;
   const ActionTrail* actions_;
 };

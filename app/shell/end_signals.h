@@ -7,8 +7,8 @@ class QSocketNotifier;
 
 namespace hapticell::app {
 
-/// The system asks the program to end (SIGTERM at shutdown, SIGHUP when the session's terminal goes, SIGINT): reported in
-/// the thread that made it, from its event loop. One at a time; nothing where there are no such signals.
+/// Reports that the system asks the program to end (SIGTERM at shutdown, SIGHUP when the terminal closes, SIGINT), in
+/// the thread that made it, from its event loop. One at a time; does nothing on systems without such signals.
 class EndSignals : public QObject {
   Q_OBJECT
  public:

@@ -12,15 +12,15 @@ namespace hapticell::app {
 
 class ViewportWidget;
 
-/// Escape, wherever the focus is, one thing a press: ends an open pick; then what has the focus may use it (an edit, a
-/// drag); takes back what was typed into a field of text; what that leaves goes to the closers in the order they were
-/// added, to the tools of the scene, and last closes the floating dock in which it was pressed. Forces go off before
-/// all of it (the module hears the key first); menus and dialogs close by themselves. GUI thread.
+/// Handles Escape, wherever the focus is, one step per press: ends an open pick; then passes it to the widget with the
+/// focus (an edit, a drag); reverts text typed into a field; then tries the closers in the order in which they were
+/// added, then the tools of the scene, and last closes the floating dock in which it was pressed. Forces are switched
+/// off before all of this (the module gets the key first); menus and dialogs close by themselves. GUI thread.
 class EscapeKey : public QObject {
   Q_OBJECT
  public:
   EscapeKey(QMainWindow& window, ViewportWidget& scene);
-  /// `close` tells whether there was something to close.
+  /// `close` returns whether there was something to close.
   void add(std::function<bool()> close) { closers_.push_back(std::move(close)); }
 
  protected:

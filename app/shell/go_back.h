@@ -7,20 +7,20 @@ namespace hapticell::app {
 
 class Host;
 
-/// "Go back ten seconds of motion": remembers what moves, and lets go of what is held before it goes back. GUI thread.
+/// "Go back ten seconds of motion": remembers what moves, and releases what is held before it goes back. GUI thread.
 class GoBack {
  public:
   /// The host must outlive it.
   explicit GoBack(Host& host);
-  /// Ten seconds of motion; where something is held, once it is let go.
+  /// Goes back ten seconds of motion; if something is held, after its release.
   void start();
-  /// The scene has another snapshot: goes back where that waits for it.
+  /// Call it for each new snapshot of the scene: goes back if that waits for the release.
   void snapshotCame();
-  /// Keeps what moved since the last look.
+  /// Keeps what moved since the last call.
   void look() { memory_.look(); }
-  /// Another document follows: nothing is waited for any more.
+  /// Stops waiting, because another document follows.
   void cancel() { waits_ = false; }
-  /// Another document is there.
+  /// Forgets everything, because there is another document.
   void forget() { memory_.forget(); }
 
  private:
@@ -28,7 +28,7 @@ class GoBack {
 
   Host& host_;
   MotionMemory memory_;
-  bool waits_ = false;  ///< Until what is held is let go.
+  bool waits_ = false;  ///< Waits for the release of what is held.
 };
 
 }  // namespace hapticell::app

@@ -13,9 +13,9 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Named arrangements of the docks: Move, Teach, Ergonomics, Check device. Each is as it was left; until it was touched
-/// it stands as drawn, for a wide and for a narrow window. What is there now, and the window's place, come back at the
-/// next start. GUI thread.
+/// Named layouts of the docks: Move, Teach, Ergonomics, Check device. Each is kept as the user left it; an unchanged
+/// one has its default, for a wide and for a narrow window. The last layout and the position of the window are restored
+/// at the next start. GUI thread.
 class Layouts : public QObject {
   Q_OBJECT
  public:
@@ -25,17 +25,17 @@ class Layouts : public QObject {
   static QStringList names();
   static QString title(const QString& name);
   const QString& current() const { return current_; }
-  /// Keeps the arrangement that is left, then arranges the other.
+  /// Stores the present layout, then applies the other one.
   void choose(const QString& name);
-  /// The current one as it is drawn, whatever was done to it.
+  /// Resets the present layout to its default.
   void reset();
-  /// The docks of both sides away, and back those that were there, the same ones in front.
+  /// Hides the docks of both sides, or shows again those that were hidden, with the same ones in front.
   void showSides(bool shown);
-  /// At start, once all docks are there: window and layout of the last time. False where nothing is remembered.
+  /// Restores window and layout of the last time; call it at start, when all docks exist. False if nothing is stored.
   bool restore();
-  /// At the end.
+  /// Stores window and layout; call it at the end.
   void store();
-  /// The choice for the tool bar.
+  /// Makes the layout chooser for the tool bar.
   QWidget* makeChoice(QWidget* parent);
 
  signals:
@@ -49,12 +49,12 @@ class Layouts : public QObject {
   QString key(const char* what) const;
   void setCorners();
   void arrange(const QString& name);
-  /// Gathers the right area's docks in one place; the one beside it gets a column of its own and is given back where
-  /// the window is wide enough.
+  /// Puts all docks of the right area in one place; the dock `beside` gets a column of its own and is returned if the
+  /// window is wide enough.
   QDockWidget* placeRight(const QStringList& docks, const QString& beside);
-  /// The first of these that is shown.
+  /// Raises the first of these docks that is shown.
   void raiseFirst(const QStringList& docks);
-  /// The current arrangement, with what lies in front, into the settings; and out of them: false where none is kept.
+  /// Writes the present layout, and which docks are in front, to the settings, or reads it; false if none is stored.
   void keep();
   bool bringBack();
   QStringList inFront() const;
@@ -62,8 +62,8 @@ class Layouts : public QObject {
   QMainWindow& window_;
   UserSettings& settings_;
   QString current_ = QStringLiteral("move");
-  bool wide_ = true, stands_ = false;  ///< What the docks are arranged for; whether they are.
-  QStringList sides_, sides_front_;    // What showSides() took away.
+  bool wide_ = true, stands_ = false;  ///< Whether the docks are arranged for a wide window; whether they are arranged.
+  QStringList sides_, sides_front_;    // The docks that showSides() hid.
 };
 
 }  // namespace hapticell::app

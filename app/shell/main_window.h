@@ -37,12 +37,12 @@ class StartPage;
 class TabbedDocks;
 class WindowLog;
 
-/// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
-/// of no force; it works without any module.
+/// The host window: scene in the middle, docks around it, modules from the Applications menu. It has no code for
+/// devices or forces, and works without any module.
 class MainWindow : public QMainWindow, public Host {
   Q_OBJECT
  public:
-  /// `settings` is the file that the user's choices are kept in; empty: they are forgotten.
+  /// `settings` is the file with the user's choices; empty: they are not kept.
   explicit MainWindow(const config::Configuration& configuration, const QString& settings = {});
   ~MainWindow() override;
 
@@ -69,14 +69,14 @@ class MainWindow : public QMainWindow, public Host {
   void setGuiRate(double hertz) override;
   void openCell(const QString& path, QObject* context, const std::function<void()>& opened) override;
 
-  /// Begins to open a workcell; files().opened() reports when it is open. Problems are shown in the messages.
+  /// Starts to open a workcell; files().opened() reports when it is open. The messages show problems.
   void openFile(const QString& path);
-  /// Begins to import files, each one step of undo; `ask`: after showing what they are. files().imported() reports the
+  /// Starts to import files, each one undo step; `ask`: after showing what they are. files().imported() reports the
   /// result.
   void importFiles(const QStringList& paths, bool ask = true);
   FileWork& files() { return *files_; }
   void loadModules(const QStringList& folders);
-  /// The page with samples and recent files, over the scene.
+  /// Shows the page with samples and recent files, over the scene.
   void showStartPage();
   RecentFiles& recentFiles();
   /// Starts the module of that name; false if it does not exist.
@@ -84,17 +84,17 @@ class MainWindow : public QMainWindow, public Host {
   void setTheme(bool dark);
   Actions& actions() { return *actions_; }
   Layouts& layouts() { return layouts_; }
-  /// At start, once the modules' docks are there: window and docks as they were left.
+  /// Restores window and docks as they were left; call it at start, when the modules' docks exist.
   void restoreLayout();
   const StatusLine& statusLine() const { return status_.line(); }
-  /// Ends the program without a question, as the system asks at its shutdown: what is being recorded goes into the
-  /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
+  /// Ends the program without a question, as at a system shutdown: adds a running recording to the cell, keeps unsaved
+  /// changes as after a crash (offered at the next start), and ends modules with their server.
   void endNow();
-  /// From here on what is not saved is kept to the last edit when the program breaks (CrashGuard), and what broke is
-  /// noted for the next start, with a report in a file. Says once where the report of an earlier crash is. `program`:
-  /// version, commit, compiler and libraries, in lines. For the program itself; once.
+  /// From now on, keeps unsaved changes up to the last edit if the program crashes (CrashGuard), notes the cause for
+  /// the next start, and writes a report file. Says once where the report of an earlier crash is. `program`: version,
+  /// commit, compiler and libraries, in lines. For the program itself; once.
   void guardAgainstCrash(const std::string& program);
-  /// From here on the window writes its log file. Where it cannot, a message says so. For the program itself; once.
+  /// From now on, writes the log file of the window; shows a message if it cannot. For the program itself; once.
   void keepLog(config::LogLevel level, const std::string& program);
   /// The whole window with the finished picture of the scene.
   QPixmap picture();
@@ -115,18 +115,18 @@ class MainWindow : public QMainWindow, public Host {
   void importFromDialog();
   void addRobotFromDialog();
   bool saveDocument(bool ask_where);
-  /// Empty: the user does not want it saved after all.
+  /// Empty: the user cancelled.
   QString placeToSave(bool ask_where);
   bool mayDiscard();
-  /// Calls `then` once what is being recorded is in the cell and the user has agreed to let go what is not saved.
+  /// Calls `then` once a running recording is in the cell and the user has agreed to lose unsaved changes.
   void replaceDocument(const std::function<void()>& then);
-  /// Calls `then` once what is being recorded, if anything, is in the cell.
+  /// Calls `then` once a running recording, if any, is in the cell.
   void whenRecorded(const std::function<void()>& then);
   void showSavedView();
   void connectSelection();
   void connectStart();
   void connectLeftWork();
-  /// What the cell looks like, for the first page.
+  /// Stores a picture of the cell, for the start page.
   void keepPicture();
   void watchActions();
   void reportImport(const std::filesystem::path& folder);
@@ -154,7 +154,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<CrashGuard> crash_guard_;
   std::unique_ptr<ActionWatch> action_watch_;
   std::unique_ptr<WindowLog> log_;
-  const std::shared_ptr<manipulation::SceneService> scenes_;  ///< Threads of questions hold it too.
+  const std::shared_ptr<manipulation::SceneService> scenes_;  ///< Shared with threads of queries.
   GoBack go_back_;
   TypedKeys typed_keys_;
 };

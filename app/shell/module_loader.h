@@ -12,14 +12,14 @@ class QPluginLoader;
 
 namespace hapticell::app {
 
-/// Finds and keeps the modules. They are stopped, but not unloaded, when it goes.
+/// Finds and keeps the modules. Its destructor stops them, but does not unload them.
 class ModuleLoader {
  public:
   ModuleLoader();
   ~ModuleLoader();
-  /// Loads every hapticell-module-* of the folders; problems() lists those that do not load.
+  /// Loads every hapticell-module-* of the folders; problems() lists those that cannot be loaded.
   void load(const QStringList& folders);
-  /// Where modules are looked for: `modules` beside the program, then hapticell/modules in the lib folder of the
+  /// The folders to search: `modules` next to the program, then hapticell/modules in the lib folder of the
   /// installation.
   static QStringList defaultFolders();
   const std::vector<Module*>& modules() const { return modules_; }

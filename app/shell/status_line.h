@@ -11,16 +11,16 @@
 
 namespace hapticell::app {
 
-/// The bottom line: one sentence of state, three loop rates, device, units. A new message is shown for 8 seconds.
+/// The bottom line: the state in one sentence, three loop rates, device, units. A new message is shown for 8 seconds.
 class StatusLine : public QStatusBar {
   Q_OBJECT
  public:
   explicit StatusLine(QWidget* parent = nullptr);
-  /// What the rates are measured against: 1000 Hz, the shipped limits.
+  /// The rates, shown relative to 1000 Hz and to the default limits.
   struct Rates {
     double haptic_hz = 0.0, collision_hz = 0.0, window_hz = 0.0;
     double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
-    bool idle = false;  ///< Nothing is to be done: collision and window are said to be idle.
+    bool idle = false;  ///< Nothing is to be done: collision and window are shown as idle.
   };
   void setSentence(Mark mark, const QString& sentence);
   /// Updates the display if the rates differ visibly, at most twice a second; at once if a loop starts, ends or becomes
@@ -45,8 +45,8 @@ class StatusLine : public QStatusBar {
   QString sentence_, device_, message_, sound_;
   bool sound_on_ = false, device_works_ = true;
   Severity severity_ = Severity::kInformation;
-  /// A rate is updated if it differs by this share: 1000 Hz tremble by a few. Half: numbers flicker; twice: 10 % less
-  /// go unseen.
+  /// A rate is updated if it differs by this fraction: 1000 Hz vary by a few. Half: numbers flicker; twice: a drop of
+  /// 10 % is not shown.
   static constexpr double kShare = 0.05;
   Rates rates_;
   QElapsedTimer rates_shown_;

@@ -8,18 +8,18 @@ namespace hapticell::app {
 class Host;
 class StatusLine;
 
-/// What the status line says of the scene: its state in one sentence, and the rates of the loops. GUI thread.
+/// What the status line shows: the state of the scene in one sentence, and the rates of the loops. GUI thread.
 class StatusText {
  public:
   /// Both must outlive it.
   StatusText(Host& host, StatusLine& line) : host_(host), line_(line) {}
   StatusLine& line() { return line_; }
   const StatusLine& line() const { return line_; }
-  /// Pictures of the window a second.
+  /// Frames of the window per second.
   void setGuiRate(double hertz) { gui_rate_ = hertz; }
-  /// As the scene and the document are now.
+  /// Shows the present state of the scene and the document.
   void show();
-  /// Ten times a second at most; true where it did. `now`: whenever it was last.
+  /// Shows the numbers, at most ten times a second; returns whether it did. `now`: in any case.
   bool showNumbers(bool now);
 
  private:

@@ -9,7 +9,7 @@ namespace hapticell::app {
 struct Actions;
 class ViewportWidget;
 
-/// The menus of the view strip, kept equal to the actions of the View menu. Actions and viewport must outlive it.
+/// The menus of the view strip, synchronized with the actions of the View menu. Actions and viewport must outlive it.
 class ViewMenus : public QObject {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class ViewMenus : public QObject {
   const Actions& actions_;
   ViewportWidget& viewport_;
   QMenu projection_, faces_, section_;
-  QList<QAction*> only_cut_;  ///< Of the section's menu: what needs one.
+  QList<QAction*> only_cut_;  ///< Entries of the section's menu that need a section plane.
 };
 
 }  // namespace hapticell::app

@@ -25,7 +25,7 @@ class WindowLog : public QObject {
   void follow(FileWork& files);
   void follow(MessageLog& messages);
   void noteSaved(const QString& path);
-  /// Of the status bar; a line for each change. `works`: false where no device is connected or forces are lost.
+  /// Logs each change of the status bar's device text. `works`: false if no device is connected or forces are lost.
   void noteDevice(const QString& text, bool works);
   void noteAction(const QString& name);
 

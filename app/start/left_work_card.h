@@ -9,7 +9,7 @@ class QHBoxLayout;
 
 namespace hapticell::app {
 
-/// Unsaved work that a crash left, on the first page: picture, name, time, what broke, and what can be done with it.
+/// Unsaved work after a crash, on the start page: picture, name, time, cause of the crash, and possible actions.
 class LeftWorkCard : public QWidget {
   Q_OBJECT
  public:

@@ -11,7 +11,7 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Workcells that were opened or saved last, newest first, at most ten; those that are gone are left out. GUI thread.
+/// Workcells that were opened or saved last, newest first, at most ten, without those that no longer exist. GUI thread.
 class RecentFiles : public QObject {
   Q_OBJECT
  public:
@@ -20,9 +20,9 @@ class RecentFiles : public QObject {
   QStringList files() const;
   void add(const QString& path);
   void clear();
-  /// Keeps what a cell looked like when it was left or saved (keptPicture()), where settings are kept at all.
+  /// Stores a picture of a cell when it is left or saved (keptPicture()), if settings are kept at all.
   void keepPicture(const QString& path, const QImage& picture) const;
-  /// Fills the menu whenever it is opened; a choice tells chosen().
+  /// Fills the menu whenever it is opened; a choice emits chosen().
   void fill(QMenu& menu);
 
  signals:

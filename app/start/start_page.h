@@ -14,15 +14,15 @@ namespace hapticell::app {
 class RecentFiles;
 class UserSettings;
 
-/// The page over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, what was
-/// opened last, and how to begin with one's own. A part of the viewport, not a window: it goes when a cell is opened,
-/// when something is picked or placed in the scene, or by Escape. GUI thread.
+/// The page over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, recent
+/// files, and how to start a new cell. A part of the viewport, not a window: it closes when a cell is opened, when
+/// something is picked or placed in the scene, or by Escape. GUI thread.
 class StartPage : public QFrame {
   Q_OBJECT
  public:
   StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent);
   RecentFiles& recentFiles() { return recent_; }
-  /// Shows it with the newest lists, above the scene; unsaved work that a crash left stands first.
+  /// Shows the page with up-to-date lists, above the scene; unsaved work after a crash is first.
   void open(const std::vector<workcell::LeftWork>& left);
 
  signals:

@@ -7,8 +7,8 @@ class QDockWidget;
 
 namespace hapticell::app {
 
-/// A dock's title: name at the left, float and close at the right, a line below. Dragging it moves the dock as Qt does.
-/// It takes no room while its property `folded` is true: the tab is then the title.
+/// A dock's title bar: name on the left, float and close on the right, a line below. Dragging it moves the dock as in
+/// Qt. It takes no room while its property `folded` is true, because the tab then shows the title.
 class DockTitleBar : public QWidget {
   Q_OBJECT
  public:
@@ -23,8 +23,8 @@ class DockTitleBar : public QWidget {
   QDockWidget* dock_;
 };
 
-/// A dock with the program's title bar: the one way to make docks, for the host and for modules.
-/// `name` is its objectName (layouts are saved by it), `title` what stands in the bar and in the Window menu.
+/// A dock with the program's title bar; the host and modules make all docks with it. `name` is its objectName (layouts
+/// are saved by it), `title` the text in the bar and in the Window menu.
 QDockWidget* makeDock(const QString& name, const QString& title, QWidget* content);
 
 }  // namespace hapticell::app

@@ -6,8 +6,8 @@
 
 namespace hapticell::app {
 
-/// One line of plain text that gives way to its property "short" (where it has one) or ends with "…" where it has no
-/// room, and says all of it as its tip; it never makes its panel wider.
+/// One line of plain text. If there is no room, it shows its property "short" (if set) or ends with "…", and its tool
+/// tip has the whole text; it never makes its panel wider.
 class ElidingLabel : public QLabel {
  public:
   using QLabel::QLabel;

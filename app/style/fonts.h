@@ -8,7 +8,7 @@ namespace hapticell::app {
 /// The text sizes of the program. Sizes are pixels at 100 %.
 enum class TextRole { kText, kSecond, kKeyCap, kDockTitle, kSection, kNumberOverScene, kPanelState, kPanelNumber, kScore };
 
-/// Roboto where it is installed (its digits are equally wide, so numbers do not dance), else Noto Sans or DejaVu Sans.
+/// Roboto if it is installed (its digits are equally wide, so numbers do not jump), else Noto Sans or DejaVu Sans.
 QFont textFont(TextRole role);
 
 }  // namespace hapticell::app

@@ -10,7 +10,7 @@
 
 namespace hapticell::app {
 
-/// A key as it looks on the keyboard: its name in a small frame.
+/// A key as on the keyboard: its name in a small frame.
 class KeyCap final : public QLabel {
  public:
   explicit KeyCap(QWidget* parent = nullptr) : QLabel(parent) {

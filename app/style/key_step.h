@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// Where a key leads in a row: 1 for `forward`, -1 for `back`, 0 for any other key.
+/// Direction of a key in a row: 1 for `forward`, -1 for `back`, 0 for any other key.
 constexpr int keyStep(int key, Qt::Key back, Qt::Key forward) {
   if (key == forward) return 1;
   return key == back ? -1 : 0;

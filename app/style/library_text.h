@@ -10,12 +10,12 @@
 
 namespace hapticell::app {
 
-/// A sentence of the libraries under the window as the user reads it: in the window's language and the units in force.
+/// A text of the libraries as the user reads it: in the window's language and the units that the user chose.
 /// Thread-safe as tr() is.
 QString shownText(const Text& text);
-/// Several, with "; " between them.
+/// Several texts, separated by "; ".
 QString shownText(std::span<const Text> texts);
-/// An error in one line, as Error::message() in English.
+/// An error in one line, like Error::message() in English.
 QString shownText(const Error& error);
 /// Why there is no connection to a haptic server, and what to do about it.
 QString shownText(const haptic::LinkProblem& problem);

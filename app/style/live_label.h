@@ -5,14 +5,14 @@
 
 namespace hapticell::app {
 
-/// Words that change while the panel is used. The room of so many lines is kept whatever they say, so that nothing
-/// beside or below them moves; longer words end with "…" and stand whole in the tip. Plain text; no narrowest width.
+/// A label whose text changes while the panel is used. It always has the height of a fixed number of lines, so that
+/// nothing next to or below it moves; the tool tip has all of a longer text. Plain text; no minimum width.
 class LiveLabel : public QLabel {
  public:
   explicit LiveLabel(int lines, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
-  /// All words are seen at the width of now.
+  /// True if the whole text is visible at the present width.
   bool isWhole() const { return shownLines().join(QLatin1Char(' ')) == text().simplified(); }
 
  protected:

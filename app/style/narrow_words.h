@@ -9,8 +9,8 @@ class QWidget;
 
 namespace hapticell::app {
 
-/// In a row that is too narrow its tool buttons show their icons without the words, instead of words cut short: first
-/// the last group, then those before. Their tool tips and accessible names say the rest. Belongs to the row.
+/// In a row that is too narrow, makes tool buttons show icons without words, instead of truncated words: first the last
+/// group, then those before it. Tool tips and accessible names say the rest. Owned by the row.
 class NarrowWords : public QObject {
   Q_OBJECT
  public:

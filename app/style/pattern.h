@@ -11,7 +11,7 @@ namespace hapticell::app {
 
 struct Theme;
 
-/// Fills a path with a colour and a pattern of a score: 0 plain, 1 hatched, 2 cross-hatched in the fill's darker tone.
+/// Fills a path with a colour and a score's pattern: 0 plain, 1 hatched, 2 cross-hatched in a darker tone of it.
 void fillWithPattern(QPainter& painter, const QPainterPath& path, const QColor& color, int pattern);
 
 /// A patch in the colour and pattern of a score's band, 0 to 3.

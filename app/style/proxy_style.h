@@ -5,10 +5,10 @@
 
 namespace hapticell::app {
 
-/// Fusion with the program's measures: fields of 26 px, corners of 4 px, flat buttons, underlined tabs, a 2 px bar on
-/// the selected row, a focus frame in the selection colour, and a switch for every check box whose property `switch` is
-/// true. A button whose property `main` is true is the one main button of its panel; `quiet` draws no frame until
-/// hovered.
+/// Fusion with the program's sizes: fields of 26 px, corners of 4 px, flat buttons, underlined tabs, a 2 px bar on the
+/// selected row, a focus frame in the selection colour, and a switch for every check box whose property `switch` is
+/// true. A button whose property `main` is true is the one main button of its panel; with `quiet`, a button has no
+/// frame until hovered.
 class ProxyStyle : public QProxyStyle {
  public:
   ProxyStyle();
@@ -16,7 +16,7 @@ class ProxyStyle : public QProxyStyle {
   void polish(QWidget* widget) override;
   QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override;
   using QProxyStyle::polish;
-  /// The wheel scrolls the panel that a slider or a choice is in: it sets them only where they have the focus.
+  /// Makes the wheel scroll the panel around a slider or a choice, and change these only if they have the focus.
   bool eventFilter(QObject* watched, QEvent* event) override;
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

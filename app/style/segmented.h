@@ -15,7 +15,7 @@ namespace hapticell::app {
 class Segmented : public QWidget {
   Q_OBJECT
  public:
-  enum class Kind { kOne, kMany };  ///< kMany: each is switched by itself; chosen() tells which was.
+  enum class Kind { kOne, kMany };  ///< kMany: each is switched separately; chosen() says which one was.
   explicit Segmented(const QStringList& choices, QWidget* parent = nullptr, Kind kind = Kind::kOne);
 
   int current() const;                       ///< Index, or -1 while nothing is chosen.

@@ -9,10 +9,10 @@ namespace hapticell::app {
 /// distracts the user nor repaints the window. GUI thread.
 class SteadyNumber {
  public:
-  /// `share`: what it must differ by, as a part of the shown value; `least`: and by this much at the least.
+  /// `share`: the least visible difference as a fraction of the shown value; `least`: its minimum.
   explicit SteadyNumber(double share, double least = 0.0) : share_(share), least_(least) {}
-  /// The newest value; true when another one is shown from now on. Zero is never held back, nor what leaves it.
-  /// `patience`: it must differ by so many times as much, where nobody watches it.
+  /// Takes the newest value; true if the shown value changes. A change to or from zero is always shown. `patience`:
+  /// factor on the least difference, for times when nobody watches.
   bool take(double now, double patience = 1.0) {
     const bool same_sign = (now == 0.0) == (shown_ == 0.0);
     if (same_sign && std::abs(now - shown_) <= patience * std::fmax(share_ * std::abs(shown_), least_)) return false;
@@ -20,8 +20,8 @@ class SteadyNumber {
     return true;
   }
   double shown() const { return shown_; }
-  /// The patience while the stylus lies still: half of a rate, with 5 %. Half: an idle window repaints for rates;
-  /// twice: never updated.
+  /// The patience while the stylus is at rest: with 5 %, half of a rate. Half: an idle window repaints for rates;
+  /// twice: rates are never updated.
   static constexpr double kAtRest = 10.0;
 
  private:

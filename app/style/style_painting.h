@@ -12,20 +12,20 @@ class QComboBox;
 namespace hapticell::app {
 
 constexpr int kFieldHeight = 26;
-constexpr int kHeaderMargin = 4;  ///< Either side of a heading.
+constexpr int kHeaderMargin = 4;  ///< On either side of a heading.
 constexpr int kRowHeight = 24;
 constexpr double kRadius = 4.0;
 
-/// Red, green and blue, 0 .. 1, as workcell::Entity::color has them.
+/// Red, green and blue, 0 to 1, as in workcell::Entity::color.
 std::array<float, 3> channelsOf(const QColor& color);
 
-/// A box with one-pixel frame whose lines lie on whole pixels.
+/// A box with a one-pixel frame whose lines are on whole pixels.
 void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius = kRadius);
 
 /// Push buttons and tool buttons: flat, framed, filled while down or on.
 void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidget* widget);
 
-/// The switch: knob position and I / O are its second cue.
+/// The switch: knob position and I / O show its state without colour too.
 void drawSwitch(QPainter* painter, const QStyleOption* option);
 
 /// A check box or radio button.
@@ -40,18 +40,18 @@ void drawTabLabel(QPainter* painter, const QStyleOptionTab* option, bool compact
 /// The name without the count at its end.
 QString plainTabText(const QString& text);
 
-/// The little triangle of combo boxes and menus, pointing down.
+/// The small triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
 
-/// How a button's label is drawn: the letters of what is on, and the icon of a main button too, in the colour that
-/// stands on theirs.
+/// The options for drawing a button's label: the text of a button that is on, and the icon of a main button too, in the
+/// colour that contrasts with the fill.
 QStyleOptionButton buttonLabel(const QStyleOptionButton& button, const QWidget* widget);
 
-/// A part of a scroll bar without buttons, whose handle is 28 px long or more where there is room; empty: it has none.
+/// A part of a scroll bar without buttons; its handle is 28 px long or more if there is room. Empty: no such part.
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part);
 
-/// Where a combo box at `field` opens its list: as wide as the words in it, within reason, and as itself. `box` may be
-/// null.
+/// Rectangle from which a combo box at `field` opens its list: as wide as the words in it, within limits, and at least
+/// as wide as `field`. `box` may be null.
 QRect choiceList(const QRect& field, const QComboBox* box);
 
 /// A narrow scroll bar without buttons.

@@ -41,7 +41,7 @@ const Theme& lightTheme();
 /// The theme that a palette belongs to: by the lightness of its window colour, so no global state is needed.
 const Theme& themeOf(const QPalette& palette);
 
-/// The role that carries the second text colour (QPalette has none of its own): labels and second lines.
+/// The role for the second text colour (QPalette has no role for it): labels and second lines.
 constexpr QPalette::ColorRole kQuietText = QPalette::LinkVisited;
 
 /// The Qt palette of a theme, all three colour groups.

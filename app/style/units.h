@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// In which units, and with how many decimals, the window shows numbers. A value; inside everything is SI.
+/// Units and numbers of decimals in which the window shows numbers. A value; internally, everything is SI.
 struct Units {
   enum class Length { kMillimetre, kCentimetre, kMetre, kInch };
   enum class Angle { kDegree, kRadian };
@@ -16,21 +16,21 @@ struct Units {
   int force_decimals = 1;
   bool operator==(const Units&) const = default;
 
-  double perMetre() const;   ///< How many of its units of length a metre has.
-  double perRadian() const;  ///< The same of angle.
+  double perMetre() const;   ///< Number of the chosen length units in a metre.
+  double perRadian() const;  ///< Number of the chosen angle units in a radian.
   QString lengthUnit() const;
   QString angleUnit() const;
 };
 
-/// Those in force, which belong to the application as its palette does; GUI thread.
+/// The units that the user chose; the application owns them, like its palette. GUI thread.
 Units unitsNow();
-/// Changes them; every ValueField and whoever asks for texts shows them from then on.
+/// Changes them; every ValueField and every new text shows them from then on.
 void setUnitsNow(const Units& units);
 
-/// "6.4 mm", "22.8°", "1.1 N", in the units in force, never a minus zero.
+/// "6.4 mm", "22.8°", "1.1 N", in the units that the user chose, never with a minus zero.
 QString lengthText(double metres);
-/// The same as finely as `millimetre_decimals` says of millimetres, whatever the user's decimals: "1510 mm", "1.51 m",
-/// "59.4 in" for 0.
+/// The same with the precision of `millimetre_decimals` decimals in millimetres, whatever the user's decimals: "1510
+/// mm", "1.51 m", "59.4 in" for 0.
 QString lengthText(double metres, int millimetre_decimals);
 QString angleText(double radians);
 QString forceText(double newtons);

@@ -8,17 +8,17 @@ namespace hapticell::app {
 
 /// A number with its unit inside the field, right-aligned, fixed decimals, never a minus zero.
 ///
-/// The unit stands in the second text colour; where the number needs its room it goes. Arrow keys and the wheel (while
-/// focused) step it; Enter or leaving the field ends the edit. Lengths and angles are set and shown in mm and degrees,
-/// and shown in the units in force (units.h); typed with a unit behind them ("2 in", "1.5rad") they are taken as that.
-/// A number typed beyond an end becomes that end, and a tip at the field says so.
+/// The unit has the second text colour and is hidden if the number needs its room. Arrow keys and the wheel (while
+/// focused) step the number; Enter or leaving the field ends the edit. Lengths and angles are set and read in mm and
+/// degrees, and shown in the units that the user chose (units.h); a unit typed after the number ("2 in", "1.5rad") is
+/// respected. A number typed beyond a limit becomes that limit, and a tip at the field says so.
 class ValueField : public QDoubleSpinBox {
   Q_OBJECT
  public:
   enum class Quantity { kByUnit, kPlain, kLength, kAngle };  ///< kByUnit: "mm" and "mm/s" are lengths, "°" an angle.
   struct Format {
     QString unit;      ///< "mm"; empty for none.
-    int decimals = 1;  ///< With the usual units; of lengths and angles as many more or less than 1 as those have.
+    int decimals = 1;  ///< With default units; lengths and angles have as many more or fewer as this differs from 1.
     double minimum = -1e6, maximum = 1e6, step = 1.0;
     Quantity quantity = Quantity::kByUnit;
   };
@@ -32,7 +32,7 @@ class ValueField : public QDoubleSpinBox {
   void fixup(QString& text) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
-  /// The units in force are others.
+  /// The user chose other units.
   void unitsChanged();
 
  signals:
@@ -56,8 +56,8 @@ class ValueField : public QDoubleSpinBox {
   int decimals_;
   Quantity quantity_;
   bool unit_fits_ = true;
-  bool typed_ = false;                         ///< Since editing began.
-  mutable std::optional<double> beyond_ = {};  ///< What was typed beyond an end; fixup() is const.
+  bool typed_ = false;                         ///< The user typed since editing began.
+  mutable std::optional<double> beyond_ = {};  ///< What was typed beyond a limit; fixup() is const.
 };
 
 }  // namespace hapticell::app

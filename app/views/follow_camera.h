@@ -12,19 +12,19 @@ namespace hapticell::app {
 
 class Host;
 
-/// Leads the view along with what moves: the tool centre point of the selected robot (the view keeps its direction), or
-/// through the eyes of the selected mannequin. GUI thread.
+/// Makes the view follow what moves: the tool centre point of the selected robot (the view keeps its direction), or the
+/// eyes of the selected mannequin. GUI thread.
 class FollowCamera : public QObject {
   Q_OBJECT
  public:
   enum class What { kNothing, kTool, kEyes };
   explicit FollowCamera(Host& host, QObject* parent = nullptr);
   What what() const { return what_; }
-  /// kNothing, or where there is no such entity, ends it.
+  /// Starts to follow; kNothing, or a missing entity, ends it.
   void follow(What what);
-  /// Whether there is an entity to follow in this way: the selected one, else the first of its kind.
+  /// True if there is an entity to follow in this way: the selected one, else the first of its kind.
   bool canFollow(What what) const;
-  /// One look; the timer calls it while something is followed.
+  /// Updates the view once; the timer calls it while something is followed.
   void look();
 
  signals:
@@ -35,8 +35,8 @@ class FollowCamera : public QObject {
   std::optional<Pose> eyes_W() const;
   Host& host_;
   What what_ = What::kNothing;
-  std::optional<Camera> before_;  // To come back to.
-  std::optional<dvec3> p_WTool_;  // At the last look.
+  std::optional<Camera> before_;  // To return to.
+  std::optional<dvec3> p_WTool_;  // At the last update.
   QTimer timer_;
 };
 

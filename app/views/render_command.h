@@ -15,31 +15,31 @@ namespace hapticell::app {
 
 class VideoWriter;
 
-/// What `hapticell --render` was asked for.
+/// The options of `hapticell --render`.
 struct RenderCommand {
   QString input;         ///< A workcell, or anything else that can be imported.
-  QString output;        ///< A picture (png, jpg, bmp ...), or a video of a turn round the cell (mp4, webm, mkv, gif).
-  QString view = "iso";  ///< See viewNamed(); "saved" is the view that the workcell keeps.
+  QString output;        ///< A picture (png, jpg, bmp ...), or a video of a turn around the cell (mp4, webm, mkv, gif).
+  QString view = "iso";  ///< See viewNamed(); "saved" is the view stored in the workcell.
   QSize size{1920, 1080};
-  bool light = false;  ///< Theme.
+  bool light = false;  ///< Theme: light, else dark.
   bool floor = true;
-  double seconds = 8.0;  ///< Of a video: one whole turn.
+  double seconds = 8.0;  ///< Duration of a video: one full turn.
 };
 
-/// "front", "back", "right", "left", "top", "bottom", "iso"; nothing for other words.
+/// "front", "back", "right", "left", "top", "bottom", "iso"; empty for other words.
 std::optional<StandardView> viewNamed(const QString& name);
 
-/// Draws the picture and writes it whole or not at all. `diagnostics` lists what could not be shown. Refused:
-/// files that cannot be read, views that are not known, formats that cannot be written, a display without OpenGL 3.3.
+/// Draws the picture and writes it completely or not at all. `diagnostics` lists what could not be shown. Errors:
+/// unreadable files, unknown views, formats that cannot be written, a display without OpenGL 3.3.
 Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics);
 
-/// A video of one turn round a scene, picture by picture, so that a window goes on between them.
+/// A video of one turn around a scene, frame by frame, so that a window stays responsive in between.
 class TurnVideo {
  public:
   static Expected<std::unique_ptr<TurnVideo>> begin(const RenderCommand& command, const SceneModel& scene,
                                                     const Camera& camera);
   ~TurnVideo();
-  /// The next picture; after the last one isDone(), and the file is there.
+  /// Draws the next frame; after the last one, isDone() is true and the file is complete.
   Expected<void> step();
   bool isDone() const { return done_ >= count_; }
   double share() const { return static_cast<double>(done_) / count_; }
@@ -55,7 +55,7 @@ class TurnVideo {
   int count_ = 1, done_ = 0;
 };
 
-/// The picture or video of a scene that is there already, as `camera` sees it.
+/// Writes the picture or video of an existing scene, as `camera` sees it.
 Expected<void> renderScene(const RenderCommand& command, const SceneModel& scene, const Camera& camera);
 
 }  // namespace hapticell::app

@@ -11,21 +11,21 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Views of a cell with names, kept in the user's settings by the cell's path: a view is not part of the document.
-/// Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
+/// Named views of a cell, kept in the user's settings by the cell's path: a view is not part of the document. Views of
+/// a cell without a file are dropped with it, or assigned to its file once it is saved. GUI thread.
 class SavedViews {
  public:
   explicit SavedViews(UserSettings& settings) : settings_(settings) {}
-  /// Of which cell from now on; empty: one that has no file yet. A file that follows it takes its views over.
+  /// Sets the cell; empty: one without a file. If a file follows that, it takes over the views.
   void setCell(const QString& path);
-  /// Another cell follows.
+  /// Closes the cell, because another one follows.
   void closeCell();
   QStringList names() const;
   std::optional<Camera> find(const QString& name) const;
-  /// Adds it or takes the place of the one of that name.
+  /// Adds a view, or replaces the one with that name.
   void keep(const QString& name, const Camera& camera);
   void remove(const QString& name);
-  /// "View 1", or the first that is free.
+  /// The first unused name of "View 1", "View 2" ...
   QString freeName() const;
 
  private:
@@ -35,7 +35,7 @@ class SavedViews {
   QString cell_;
 };
 
-/// The camera as one line, and back; empty if the line is invalid.
+/// Converts a camera to one line of text, and back; empty if the line is invalid.
 QString cameraText(const Camera& camera);
 std::optional<Camera> cameraFromText(const QString& text);
 

@@ -7,7 +7,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// Adds to the View menu: saved views, following, full screen, back, left and bottom views; owned by the window.
+/// Adds to the View menu: saved views, following, full screen, back, left and bottom views. The window owns them.
 void addViewActions(Host& host, QMenu& view);
 
 }  // namespace hapticell::app

@@ -7,20 +7,20 @@
 
 namespace hapticell::cli {
 
-/// What `devices` tells of one driver: itself, and what it sees.
+/// Output of `devices` for one driver: the driver, and the devices that it finds.
 struct DriverEntries {
   nlohmann::ordered_json driver;
   nlohmann::ordered_json devices = nlohmann::ordered_json::array();
 };
 
-/// The simulated styluses, as one driver that is built in.
+/// The simulated styluses, as one built-in driver.
 DriverEntries simulatedEntries();
 
-/// Asks it in a process of its own, which ends with the answer: a vendor's library keeps nothing open, and where it
-/// crashes that is reported as the driver's problem. Only while this process has one thread.
+/// Queries a driver in a separate process, which ends with the answer, so that a vendor's library keeps nothing open;
+/// if it crashes, that is reported as the driver's problem. Call it only while this process has one thread.
 DriverEntries entriesAskedApart(const haptic::LoadedDriver& loaded);
 
-/// All that the command prints, with what the system grants now.
+/// The complete output of the command, with the present permissions of the system.
 nlohmann::ordered_json listingOf(const std::vector<DriverEntries>& drivers,
                                  const std::vector<std::filesystem::path>& folders);
 

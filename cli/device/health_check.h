@@ -23,7 +23,7 @@ struct HealthCheck {
   std::string fix{};  ///< What to do; empty if nothing.
 };
 
-/// The graphics card's device, and OpenGL as the window finds it.
+/// The graphics card's device, and OpenGL as available to the window.
 std::vector<HealthCheck> graphicsChecks();
 /// Real-time priority, locked memory, udev rules, serial ports.
 std::vector<HealthCheck> grantChecks();

@@ -7,9 +7,9 @@
 
 namespace hapticell::cli {
 
-/// A secret that the user types: asked for on the terminal with the echo off, or, where standard input is no terminal,
-/// its first line. So it stands in no list of processes and in no shell's history. Error: the input ends, or the line
-/// is longer than any code.
+/// Reads a secret that the user types: on the terminal, without echo; or, if standard input is not a terminal, as its
+/// first line. So it does not appear in any list of processes or shell history. Error: the input ends, or the line is
+/// longer than any code.
 Expected<std::string> readTypedCode(const std::string& prompt);
 
 }  // namespace hapticell::cli

@@ -10,16 +10,16 @@
 
 namespace hapticell::cli {
 
-// What drives a score and what would bring it down, as in the results of `ergonomics`.
+// The main drivers of a score and changes that lower it, as in the results of `ergonomics`.
 
-/// `posture_drivers` (of EN 1005-4 and ISO 11226 `drivers`: the worst parts) and `nearest_better_posture` into
+/// Adds `posture_drivers` (for EN 1005-4 and ISO 11226 `drivers`: the worst parts) and `nearest_better_posture` to
 /// `report`.
 void addAdvice(const ergonomics::MethodAdvice& advice, nlohmann::ordered_json& report);
 
-/// `drivers` (multipliers below 1) and `next_level` of a lift into `report`.
+/// Adds `drivers` (multipliers below 1) and `next_level` of a lift to `report`.
 void addAdvice(const ergonomics::LiftingAdvice& advice, nlohmann::ordered_json& report);
 
-/// `{input, from, to}`; a flag's are true and false.
+/// `{input, from, to}`; for a flag, `from` and `to` are true or false.
 nlohmann::ordered_json toJson(const ergonomics::FieldChange& change);
 
 /// `{input, from, to, lifting_index}`.
@@ -28,7 +28,7 @@ nlohmann::ordered_json toJson(const ergonomics::LiftingChange& change);
 /// By the method's name: shift, score and level, or null.
 nlohmann::ordered_json toJson(const ergonomics::BetterPlaces& places);
 
-/// Of the lines of the EAWS posture section, for shares of the cycle: `drivers` and `next_level`.
+/// For the lines of the EAWS posture section, with shares of the cycle: `drivers` and `next_level`.
 void addEawsAdvice(const std::array<double, ergonomics::kEawsPostureCount>& shares, nlohmann::ordered_json& report);
 
 nlohmann::ordered_json handForcesReport(const ergonomics::HandForces& forces);

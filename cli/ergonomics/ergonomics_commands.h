@@ -8,7 +8,7 @@ namespace hapticell::cli {
 
 void addErgonomicsCommand(Subcommand app, Action& chosen);
 
-/// `posture`, `en1005`, `iso11226`, `eaws` and `workplace`, below `ergonomics`.
+/// Adds `posture`, `en1005`, `iso11226`, `eaws` and `workplace` below `ergonomics`.
 void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen);
 
 }  // namespace hapticell::cli

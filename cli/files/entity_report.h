@@ -10,9 +10,9 @@
 
 namespace hapticell::cli {
 
-/// An entity as `inspect` shows it: name, kind, color, triangles, bounds, volume, children; for robots joints too.
-/// Bounds are those of the vertices in the world, metres, exact; null where there is no mesh. The volume is that of the
-/// closed surface (by the divergence theorem; `closed` says whether it is one).
+/// An entity as `inspect` shows it: name, kind, color, triangles, bounds, volume, children; for robots also joints.
+/// Bounds are those of the vertices in the world, metres, exact; null without a mesh. The volume is that of the closed
+/// surface (by the divergence theorem; `closed` says whether it is closed).
 nlohmann::ordered_json entityReport(const workcell::Entity& entity);
 
 /// What takes time to find out of a mesh.
@@ -26,7 +26,7 @@ SolidFacts factsOf(const geometry::TriangleMesh& mesh);
 nlohmann::ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
                                   const std::array<float, 3>& color, const SolidFacts& facts);
 
-/// Entities as a tree: those with a parent stand below the entity of that name, or below an assembly made for it.
+/// Entities as a tree: those with a parent are below the entity of that name, or below an assembly made for it.
 nlohmann::ordered_json treeReport(const std::vector<workcell::Entity>& entities);
 
 /// The nodes of a CAD file as a tree, with the names of the parts; `instance` where the use of a part has its own.

@@ -6,7 +6,7 @@
 
 namespace hapticell::cli {
 
-/// --chord METRES and --angle RADIANS: how finely the curved faces of STEP and IGES are cut into triangles.
+/// Adds --chord METRES and --angle RADIANS: how finely the curved faces of STEP and IGES are meshed.
 void addTessellationOptions(Subcommand command, workcell::Tessellation& tessellation);
 
 }  // namespace hapticell::cli

@@ -9,11 +9,11 @@
 
 namespace hapticell::cli {
 
-/// --up and --markers, which say how a recorded motion is read.
+/// Adds --up and --markers, which say how to read a recorded motion.
 void addMotionReading(Subcommand command, std::string& up, std::string& markers);
 Expected<mannequin::MotionReading> motionReading(const std::string& up, const std::string& markers);
 
-/// `up`, `marker_set` (of markers) and `assumptions[]`: what was understood of the file.
+/// Adds `up`, `marker_set` (for markers) and `assumptions[]`: how the file was interpreted.
 void addReading(const mannequin::RecordedMotion& motion, nlohmann::ordered_json& document);
 
 }  // namespace hapticell::cli

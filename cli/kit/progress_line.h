@@ -9,8 +9,8 @@
 
 namespace hapticell::cli {
 
-/// Shows on standard error how far a reading or writing is, four times a second, for as long as it lives: one line that
-/// is written over on a terminal, else a line a tenth of the way.
+/// Shows the progress of reading or writing on standard error, four times a second, while it exists: one line that is
+/// overwritten on a terminal, else one line per tenth of the work.
 class ProgressLine {
  public:
   ProgressLine();
@@ -28,7 +28,7 @@ class ProgressLine {
   int tenths_ = 0;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::thread thread_;  // Last: it uses all the others.
+  std::thread thread_;  // Last: it uses all other members.
 };
 
 }  // namespace hapticell::cli

@@ -10,7 +10,7 @@
 
 namespace hapticell {
 
-/// In results of the command line a text is plain English.
+/// Results of the command line contain a text in plain English.
 template <typename Json>
 void to_json(Json& json, const Text& text) {
   json = english(text);
@@ -20,15 +20,15 @@ void to_json(Json& json, const Text& text) {
 
 namespace hapticell::cli {
 
-/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json` ("-":
-/// standard output too).
+/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json` ("-": also
+/// standard output).
 ///
-/// A file is written aside and moved into place, so a half-written result never stands there.
+/// A file is written as a temporary file and moved into place, so that no partial result can be read.
 class ResultWriter {
  public:
   explicit ResultWriter(std::string json_file = {}) : json_file_(std::move(json_file)) {}
   Expected<void> write(const nlohmann::ordered_json& result) const;
-  /// The same on a line of its own, for a command that tells more than once; a file has the newest one.
+  /// The same on a separate line, for a command that reports more than once; a file has the newest result.
   Expected<void> writeLine(const nlohmann::ordered_json& result) const;
   /// True if `--json` was given, for commands that otherwise print text.
   bool isAsked() const { return !json_file_.empty(); }
@@ -44,9 +44,9 @@ using workcell::writeFileAtomically;
 
 /// [x, y, z]
 nlohmann::ordered_json toJson(const dvec3& v);
-/// JSON has no infinity: null stands for what is no finite number.
+/// Null for a number that is not finite, because JSON has no infinity.
 nlohmann::ordered_json finiteOrNull(double value);
-/// For a sentence: six significant digits.
+/// Six significant digits, for a sentence.
 std::string shortNumber(double value);
 
 /// Prints "hapticell-cli: SENTENCE" on standard error.

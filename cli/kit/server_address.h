@@ -9,14 +9,14 @@
 
 namespace hapticell::cli {
 
-/// Where a haptic server listens.
+/// Address of a haptic server.
 struct ServerAddress {
   std::string host;
   std::uint16_t port = 0;
 };
 
-/// HOST:PORT, the port behind the last colon; HOST alone where `usual_port` is not 0. Errors name `option` as the
-/// place.
+/// Reads HOST:PORT, with the port after the last colon; only HOST is allowed if `usual_port` is not 0. Errors name
+/// `option`.
 Expected<ServerAddress> parseServerAddress(const std::string& text, std::string_view option,
                                            std::uint16_t usual_port = 0);
 

@@ -14,51 +14,51 @@ class Option;
 
 namespace hapticell::cli {
 
-/// One option or positional word of a command, to say what may be given for it. A handle of CLI11's own, which lives as
-/// long as the command line; copied like a pointer. Words that break a rule end the command with a sentence.
+/// One option or positional word of a command, for setting its rules. A handle of CLI11, valid as long as the command
+/// line; copied like a pointer. Words that break a rule end the command with a sentence.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option& required();
-  /// What its word names.
+  /// Kind of value that its word names.
   Option& takes(ValueKind kind);
-  /// A number within these, both included, and no "nan", which CLI11's own range lets through.
+  /// A number between these, both included; rejects "nan", which CLI11's own range accepts.
   Option& within(double least, double greatest);
-  /// A whole number within these, both included.
+  /// A whole number between these, both included.
   Option& withinWhole(int least, int greatest);
   Option& among(std::initializer_list<const char*> words);
-  /// Several values in one word, with commas between.
+  /// Several values in one word, separated by commas.
   Option& separatedByCommas();
-  /// Exactly so many values; `least` to `most` of them.
+  /// Exactly `count` values, or `least` to `most`.
   Option& values(int count);
   Option& values(int least, int most);
-  /// May be repeated, each time with one value: what follows is not taken for a second one.
+  /// May be repeated, each time with one value: the next word is not taken as a second value.
   Option& oneAtATime();
-  /// Not together with the other.
+  /// Must not be given together with the other one.
   Option& excludes(const Option& other);
 
  private:
   CLI::Option* option_;
 };
 
-/// A command of hapticell-cli, or a word below one. A handle of CLI11's own, like Option.
+/// A command of hapticell-cli, or a sub-command. A handle of CLI11, like Option.
 ///
-/// CLI11's headers are seen by two sources only: they are most of what each command would take to compile.
+/// Only two sources include CLI11's headers, because these would dominate the time to compile each command.
 class Subcommand {
  public:
   explicit Subcommand(CLI::App& app) : app_(&app) {}
 
-  /// A word below this one.
+  /// Adds a sub-command.
   Subcommand add(const std::string& name, const std::string& description);
-  /// One of the words below must follow.
+  /// Requires one of the sub-commands.
   void mustGoOn();
-  /// `names`: "--long", "-s,--long", or a word without dashes for a positional one. `value` keeps what it is where the
-  /// option is not given, and must live until the command has run. For what is a T: subcommand.cpp, at the end.
+  /// `names`: "--long", "-s,--long", or a word without dashes for a positional argument. `value` does not change if the
+  /// option is not given, and must exist until the command has run. Allowed types T: end of subcommand.cpp.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& description);
   Option flag(const std::string& names, bool& value, const std::string& description);
-  /// Called once all words were read, when this is the command that was chosen.
+  /// Called after all words were read, if this command was chosen.
   void onChosen(std::function<void()> call);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace hapticell::cli {
 
-/// Collects how long queries took, on the steady clock.
+/// Collects the durations of queries, on the steady clock.
 class Timing {
  public:
   using Clock = std::chrono::steady_clock;

@@ -34,7 +34,7 @@ struct ValueWords {
   bool from_library = false;              ///< Also accepts "library:NAME".
 };
 
-/// All of them.
+/// All kinds of values.
 std::span<const ValueWords> valueKinds();
 const ValueWords& wordsOf(ValueKind kind);
 

@@ -17,24 +17,24 @@ struct Addition {
   std::string name;                 ///< Empty: by the file.
   workcell::ImportOptions options;  ///< Unit, up axis, tree or one solid, tessellation.
   Pose X_WE;
-  std::string on;  ///< What it hangs on, as placed: an entity, or NAME:LINK; empty: nothing.
+  std::string on;  ///< What it is attached to: an entity, or NAME:LINK; empty: nothing.
 };
 
-/// WHAT and names may hold commas as long as no part begins with a known option; a quaternion need only be nearly of
-/// length 1. An error names the part that is wrong.
+/// WHAT and names may contain commas, as long as no part begins with a known option; a quaternion need only be nearly
+/// of length 1. An error names the wrong part.
 Expected<Addition> parseAddition(const std::string& text);
 
-/// One `--on FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]`: what something stands on, and where on it.
+/// One `--on FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]`: what carries something, and where on it.
 struct Mounting {
   std::string what;
-  std::string link;  ///< Empty: not said.
+  std::string link;  ///< Empty: not given.
   Pose X_LE;
 };
 
-/// `option` is how errors call it: "--on".
+/// `option` is its name in errors: "--on".
 Expected<Mounting> parseMounting(const std::string& option, const std::string& text);
 
-/// One `--check A+B:C+D[,near_miss=M][,safety=M]`; a side that is empty means everything. Not yet named.
+/// Reads one `--check A+B:C+D[,near_miss=M][,safety=M]`; an empty side means everything. The set has no name yet.
 Expected<workcell::PairSet> parseCheck(const std::string& text);
 
 }  // namespace hapticell::cli

@@ -9,8 +9,8 @@
 
 namespace hapticell::cli {
 
-/// "FILE,NAME:=VALUE,…" as the command line says a xacro with values for its arguments. A file of that whole name goes
-/// before.
+/// "FILE,NAME:=VALUE,…": a xacro on the command line with values for its arguments. A file with that whole name has
+/// priority.
 struct FileWithArguments {
   std::string file;
   std::map<std::string, std::string> arguments;

@@ -9,8 +9,8 @@
 namespace hapticell::cli {
 
 /// Applies one `KEY=VALUE` of the command session: moved_by, axes, scale, force_class, on_contact, forces,
-/// safety_distance, or any key of hapticell.toml. An unknown key or a bad value is an error that lists what there is;
-/// `options` are then unchanged.
+/// safety_distance, or any key of hapticell.toml. An unknown key or a bad value is an error that lists the possible
+/// ones; `options` are then unchanged.
 Expected<void> applySessionSetting(const std::string& setting, manipulation::SessionOptions& options);
 
 }  // namespace hapticell::cli

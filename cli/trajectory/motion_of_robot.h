@@ -16,24 +16,24 @@
 
 namespace hapticell::cli {
 
-/// A motion with the poses that it lacks, and the forward kinematics of the robot that was named. No tool: no robot
-/// was named, the motion has no joints, or its poses are not those of this robot.
+/// A motion completed with its missing poses, and the forward kinematics of the given robot. No tool: no robot was
+/// given, the motion has no joints, or its poses are not those of this robot.
 struct MotionOfRobot {
   trajectory::Trajectory motion;
   std::optional<ToolPoses> tool;
 };
 
-/// What was assumed goes to `assumptions`. Errors: a robot that cannot be read or has other joints.
+/// `assumptions` get what was assumed. Errors: a robot that cannot be read or has other joints.
 Expected<MotionOfRobot> withRobot(const trajectory::Trajectory& given, const TrajectoryOptions& options,
                                   std::vector<Text>& assumptions);
 
-/// `promises`, and with the robot that every pose in the file `written` is where the joints of its frame put the tool
-/// (1e-6 m, rad), or says that it is not.
+/// Adds to `promises`, if there is a robot: every pose in the file `written` is where the joints of its frame put the
+/// tool (1e-6 m, rad), or is marked as independent.
 Expected<Promises> withPosesByJoints(Expected<Promises> promises, const std::optional<ToolPoses>& tool,
                                      const std::filesystem::path& written);
 
-/// Writes `trajectory` to the output that was asked for, in the form that its extension says, once `measure` found all
-/// promises kept (kept_result.h). Errors also: an extension of no trajectory.
+/// Writes `trajectory` to the requested output, in the format of its extension, after `measure` found all promises kept
+/// (kept_result.h). Error also: an extension that is not one of a trajectory.
 Expected<void> saveKept(const trajectory::Trajectory& trajectory, const TrajectoryOptions& options,
                         const MeasureFile& measure, nlohmann::ordered_json& result);
 

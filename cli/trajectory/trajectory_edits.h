@@ -9,17 +9,17 @@
 
 namespace hapticell::cli {
 
-/// Writes a trajectory as .csv, .htraj or .json; nothing for an empty path. Other endings are refused.
+/// Writes a trajectory as .csv, .htraj or .json; does nothing for an empty path. Error: other extensions.
 Expected<void> saveTrajectory(const trajectory::Trajectory& trajectory, const std::string& path);
 
 /// Writes a command's result, or reports the error; 1 if its field "found" is true.
 ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<nlohmann::ordered_json>& result);
 
-/// "trim", "split", "join", "reverse", "mirror", "insert", "move", "delete", "dwell", "approach", "retract" and
+/// Adds "trim", "split", "join", "reverse", "mirror", "insert", "move", "delete", "dwell", "approach", "retract" and
 /// "resample" below `trajectory`: each makes a copy.
 void addTrajectoryEdits(Subcommand command, Action& chosen);
 
-/// "curves", "score", "train" and "exercises" below `trajectory`.
+/// Adds "curves", "score", "train" and "exercises" below `trajectory`.
 void addTrajectoryTraining(Subcommand command, Action& chosen);
 
 }  // namespace hapticell::cli

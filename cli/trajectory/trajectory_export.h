@@ -10,7 +10,7 @@
 namespace hapticell::cli {
 
 /// `trajectory export`: the motion in another format or as a robot's program, read back before it is kept. Errors: what
-/// the format cannot hold, a promise missed.
+/// the format cannot store, a missed promise.
 Expected<nlohmann::ordered_json> exportTrajectory(const trajectory::Trajectory& given,
                                                   const TrajectoryOptions& options);
 

@@ -10,14 +10,14 @@
 
 namespace hapticell::cli {
 
-/// What the commands that take one motion are given.
+/// Options of the commands that take one motion.
 struct TrajectoryOptions {
   std::string file;
   std::string output;
   double tolerance = 0.001;
   double angle_tolerance = 0.017453292519943295;
-  double joint_tolerance = 0.0;                 ///< 0: what moves a tool a metre away by `tolerance`.
-  double passing = 5e-5, angle_passing = 2e-4;  ///< Of retime.
+  double joint_tolerance = 0.0;                 ///< 0: the turn that moves a tool at 1 m by `tolerance`.
+  double passing = 5e-5, angle_passing = 2e-4;  ///< For retime.
   bool allow_miss = false;
   std::string mode = "time-optimal";
   double speed = 0.1;
@@ -26,7 +26,7 @@ struct TrajectoryOptions {
   std::string to;
   trajectory::ProgramOptions program;
   TrajectoryCheckOptions check;
-  std::vector<Text> notes;  ///< Of reading the file.
+  std::vector<Text> notes;  ///< From reading the file.
 };
 
 }  // namespace hapticell::cli

@@ -12,13 +12,13 @@ namespace hapticell::cli {
 /// `{position, angle}`, m and rad.
 nlohmann::ordered_json distanceJson(const trajectory::PoseDistance& distance);
 
-/// Frames that say that their pose and joints were made each by itself.
+/// Number of frames that are marked as having independent pose and joints.
 std::size_t posesApart(const trajectory::Trajectory& trajectory);
 
-/// Says in `notes`, a list of texts, where poses and joints of one frame need not agree.
+/// Adds to `notes`, a list of texts, where pose and joints of a frame need not agree.
 void noteApart(const trajectory::Trajectory& trajectory, nlohmann::ordered_json& notes);
 
-/// What `trajectory info` tells: size, bounds, speeds, tremor, joints, points. Errors: a robot that cannot be read or
+/// Output of `trajectory info`: size, bounds, speeds, tremor, joints, frames. Errors: a robot that cannot be read or
 /// has other joints.
 Expected<nlohmann::ordered_json> trajectoryInfo(const trajectory::Trajectory& given, const TrajectoryOptions& options);
 

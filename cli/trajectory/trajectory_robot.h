@@ -11,14 +11,14 @@
 
 namespace hapticell::cli {
 
-/// Limits as given on the command line: lists of one number a joint, or one number for all.
+/// Limits from the command line: lists of one number per joint, or one number for all.
 struct RobotLimitOptions {
-  std::string robot;  ///< A file or library:NAME; its speeds count where `velocity` is empty.
+  std::string robot;  ///< A file or library:NAME; its speeds are used if `velocity` is empty.
   std::vector<double> velocity, acceleration, jerk;
 };
 
-/// Limits for each joint of the trajectory (for one without joints: x, y, z and the rotation about them). What nobody
-/// gave is assumed and said in `assumptions`.
+/// Limits for each joint of the trajectory (for one without joints: x, y, z and the rotation about them). Missing
+/// limits are assumed and listed in `assumptions`.
 Expected<trajectory::MotionLimits> limitsFor(const trajectory::Trajectory& trajectory, const RobotLimitOptions& options,
                                              std::vector<Text>& assumptions);
 

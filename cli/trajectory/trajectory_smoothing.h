@@ -9,12 +9,12 @@
 
 namespace hapticell::cli {
 
-/// `trajectory simplify`: fewer frames within the tolerances. Errors: tolerances that are not positive, a promise
-/// missed.
+/// `trajectory simplify`: fewer frames within the tolerances. Errors: tolerances that are not positive, a missed
+/// promise.
 Expected<nlohmann::ordered_json> simplifyTrajectory(const trajectory::Trajectory& given,
                                                     const TrajectoryOptions& options);
 
-/// `trajectory smooth`: a hand's tremor taken, within the tolerances; errors likewise.
+/// `trajectory smooth`: removes hand tremor, within the tolerances; errors likewise.
 Expected<nlohmann::ordered_json> smoothTrajectory(const trajectory::Trajectory& given,
                                                   const TrajectoryOptions& options);
 

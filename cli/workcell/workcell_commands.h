@@ -8,7 +8,7 @@ namespace hapticell::cli {
 
 void addWorkcellCommand(Subcommand app, Action& chosen);
 
-/// `workcell pack` and `workcell changes`, below `workcell`.
+/// Adds `workcell pack` and `workcell changes`, below `workcell`.
 void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen);
 
 }  // namespace hapticell::cli

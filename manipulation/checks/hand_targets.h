@@ -11,15 +11,15 @@
 
 namespace hapticell::manipulation {
 
-/// Where the hands of a mannequin are wanted at one step.
+/// Targets of a mannequin's hands at one step.
 struct HandTargets {
   double step = 0.0;
   std::array<std::optional<Pose>, 2> hands;  ///< Left, right.
 };
 
-/// Reads `hand,x,y,z,qw,qx,qy,qz` (hand: left or right) with an optional column `step`: rows of one step go together, a
-/// file without it has a step a row. Metres; quaternions within 1e-3 of unit length are normalised. Errors name line
-/// and column; so is a hand refused that a step names twice.
+/// Reads `hand,x,y,z,qw,qx,qy,qz` (hand: left or right) with an optional column `step`: rows of one step belong
+/// together; without it, each row is a step. Metres; quaternions within 1e-3 of unit length are normalised. Errors name
+/// line and column; a hand that a step names twice is an error too.
 Expected<std::vector<HandTargets>> readHandTargets(const std::filesystem::path& file);
 
 }  // namespace hapticell::manipulation

@@ -20,7 +20,7 @@ struct TargetSight {
 };
 
 /// Casts rays from between the eyes to 27 points of the target's box, through everything else in the scene except the
-/// mannequin's own body. Null scene entities are used at their present place. Some milliseconds.
+/// mannequin's own body. Null scene entities are used at their present pose. Takes some milliseconds.
 TargetSight sightOfTarget(const PreparedScene& scene, const workcell::Entity& mannequin,
                           const mannequin::Posture& posture, workcell::EntityId target);
 

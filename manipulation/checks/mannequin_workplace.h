@@ -48,9 +48,9 @@ struct WorkplaceMap {
 /// order of `entities`. Never the mannequin or what it carries.
 std::vector<workcell::EntityId> movedWith(const WorkplaceQuestion& question);
 
-/// Tries every placement with the four boundary figures: each is solved with all limits, feet and balance. Each must
-/// reach, and its body (except the hands and what they hold) must not enter anything in the cell. RULA scores it with
-/// the task. Runs on all cores; `progress` (0 to 1) is called from any of their threads; `cancel` ends the search
+/// Tries every placement with the four boundary bodies: each is solved with all limits, feet and balance. Each must
+/// reach, and its body (except the hands and what they hold) must not penetrate anything in the cell. RULA scores it
+/// with the task. Runs on all cores; `progress` (0 to 1) is called from any of their threads; `cancel` ends the search
 /// early. Errors: no such mannequin or station, an empty or huge (over 10 000) grid.
 Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const std::function<void(double)>& progress,
                                        const std::atomic<bool>& cancel);

@@ -52,7 +52,7 @@ class MotionReplay {
   std::shared_ptr<const workcell::Entity> entity_;
   std::shared_ptr<const trajectory::Trajectory> trajectory_;
   std::vector<std::size_t> columns_;
-  bool moves_root_ = false;  ///< The moved frame is fixed in the entity: it places it.
+  bool moves_root_ = false;  ///< The moved frame is fixed in the entity, so its pose gives the entity's placement.
   Pose X_EM_;
   std::vector<std::vector<double>> followed_;  ///< Joints of each frame, if the trajectory has no joints.
   trajectory::PoseDistance off_pose_;

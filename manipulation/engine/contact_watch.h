@@ -8,11 +8,11 @@
 
 namespace hapticell::manipulation {
 
-/// Which pairs of the entity held by a stylus are at their boundary, and when the newest contact was first felt.
-/// Manipulation thread only.
+/// Finds the pairs of the entity held by a stylus that are at their boundary, and when the newest contact was first
+/// felt. Manipulation thread only.
 class ContactWatch {
  public:
-  /// Call it if something else is held, or nothing, or the entity is not moved.
+  /// Call it if another entity or none is held, or if the hand moves without the entity.
   void clear();
   /// Updates the contacts of the held entity, with the stylus (or proxy) at X_DP and the newest set; a new contact was
   /// felt at `felt_ns`.

@@ -120,7 +120,7 @@ struct StartRecording {
   std::string take;             ///< Name of the take.
   bool mark_by_button = false;  ///< The stylus's second button adds a frame (else it is the clutch).
 };
-/// Adds a frame by hand of the held entity, or of the chosen entity at its present place.
+/// Adds a frame by hand of the held entity, or of the chosen entity at its present pose.
 struct MarkFrame {};
 /// Ends the recording; result::Recorded reports it.
 struct StopRecording {};

@@ -22,7 +22,7 @@ class PosedJoints {
   /// Both outlive it.
   PosedJoints(CellState& cell, ResultLog& log) : cell_(cell), log_(log) {}
 
-  /// Sets the glove's joint values; see command::PoseJoints.
+  /// Sets the target values of the joints; see command::PoseJoints.
   void want(const command::PoseJoints& wanted);
   /// The entity to pose; 0: no entity.
   workcell::EntityId wanted() const { return wanted_ ? wanted_->entity : 0; }

@@ -17,7 +17,7 @@ class SnapshotMaker {
   /// `cell` outlives it.
   explicit SnapshotMaker(const CellState& cell) : cell_(cell) {}
 
-  /// Something else is held, or nothing.
+  /// Call it if another entity or none is held.
   void forget() { near_.clear(); }
   /// Adds all placements that differ from the document, and the pairs of the held entity (measured at most 30 times a
   /// second).

@@ -80,7 +80,7 @@ class StylusHolder {
   /// This stylus for a take.
   TakeRecording::Hand hand() const;
 
-  /// Adds what it holds and feels to an empty snapshot, then the status sentence.
+  /// Adds what it holds and feels to an empty snapshot, and the status sentence.
   void addTo(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const { snapshots_.describe(input_, grip_, snapshot); }
 

@@ -21,11 +21,11 @@ class StylusInput {
   /// Takes the newest state and statistics.
   void takeNewest();
 
-  /// Buttons by bits, since the last call.
+  /// Buttons as bits, since the last call.
   struct Buttons {
     std::uint32_t down = 0, pressed = 0, let_go = 0;
   };
-  /// With a state (contract).
+  /// Contract: there is a state.
   Buttons takeButtons();
 
   haptic::HapticLink& link() const { return link_; }

@@ -115,8 +115,8 @@ class FreeMotion {
   std::vector<double> bounds_;
   std::vector<std::uint32_t> own_;               ///< Indices of the pairs of two parts,
   std::vector<Manipulator::OwnPair> own_parts_;  ///< and their parts.
-  std::vector<double> own_bounds_;               ///< Scratch: one each.
-  std::vector<double> pair_bounds_;              ///< How far the two of a pair may come together along the motion.
+  std::vector<double> own_bounds_;               ///< Scratch: one per own pair.
+  std::vector<double> pair_bounds_;              ///< How far the two parts of a pair may approach each other.
   std::vector<double> reached_;                  ///< Scratch per pair: s where its clearance was last measured.
   EntityConfiguration at_s_;                     ///< Scratch: at the last s asked for.
   double scratch_s_ = -1.0;

@@ -11,7 +11,7 @@ namespace hapticell::manipulation {
 /// since the entity was taken. The entity must not be pushed out, only get no nearer. One thread.
 class HeldBoundaries {
  public:
-  /// When the entity is taken: notes what it touches or starts inside. `state` outlives this.
+  /// Call it when the entity is taken: notes what it touches or starts inside. `state` outlives this.
   explicit HeldBoundaries(HeldState& state);
 
   /// Raises the boundaries of pairs that have come apart since, up to their safety distance.
@@ -24,7 +24,7 @@ class HeldBoundaries {
 
   HeldState& state_;
   WaysOut ways_out_;
-  std::vector<double> gaps_;                    // Scratch: one a pair.
+  std::vector<double> gaps_;                    // Scratch: one per pair.
   std::vector<FreeMotion::PairDistance> near_;  // Scratch.
 };
 

@@ -17,7 +17,7 @@ class HeldConstraints {
  public:
   /// Requirements on a set.
   struct Wish {
-    double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand.
+    double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand motion.
     double least_radius = 0.003;  ///< m of hand motion: a complete set with a smaller zone would stop the hand in free
                                   ///< space.
     double turn_ahead = 0.1;      ///< rad.

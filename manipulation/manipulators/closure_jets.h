@@ -7,13 +7,13 @@
 
 namespace hapticell::manipulation {
 
-/// How the links of a robot with a closure follow its variables, to second order, and its margins to first.
+/// Motion of the links of a robot with a closure, by its variables, to second order; and its margins, to first order.
 ///
 /// By central differences of the closure's forward model (h = 1e-4 rad or m): n (n + 1) evaluations. Link k's origin
 /// moves by sum_i velocity(i, k) dq_i + 1/2 sum_ij acceleration(i, j, k) dq_i dq_j and its rotation vector likewise.
 class ClosureJets {
  public:
-  /// About `q`, poses in W for the root link at X_WB.
+  /// Computes them at `q`; poses in W, for the root link at X_WB.
   ClosureJets(const kinematics::RobotModel& model, const std::vector<double>& q, const Pose& X_WB);
 
   std::size_t links() const { return X_WL_.size(); }

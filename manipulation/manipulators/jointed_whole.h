@@ -10,14 +10,14 @@
 namespace hapticell::manipulation {
 
 /// An entity that the stylus moves as a rigid whole while something else moves its joints: a mannequin or a free hand
-/// that a glove poses, the mannequin whose other hand a second stylus draws. Its joints are a tree (no closed loops).
+/// that a glove poses, a mannequin whose other hand a second stylus moves. Its joints are a tree (no closed loops).
 class JointedWhole final : public Manipulator {
  public:
   struct Part {
     int link = 0;
     Pose X_LP;
   };
-  /// The moved frame M is fixed in the entity's own, E. `model` without closure (contract).
+  /// The moved frame M is fixed in the entity's own frame E. Contract: `model` has no closure.
   JointedWhole(std::shared_ptr<const kinematics::RobotModel> model, const Pose& X_EM, std::vector<Part> parts);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;

@@ -67,7 +67,7 @@ class Manipulator {
   /// allow within `duration_s` (above 0; infinite: speeds do not count).
   virtual EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const = 0;
 
-  /// The least time that the entity's joints need from one to the other; 0 for what has no greatest speeds.
+  /// The least time that the entity's joints need for the motion; 0 if they have no greatest speeds.
   virtual MotionTime leastTime(const EntityConfiguration& /*from*/, const EntityConfiguration& /*to*/) const {
     return {};
   }
@@ -100,7 +100,7 @@ class Manipulator {
                                 std::span<const PartSphere> /*spheres*/, std::span<const OwnPair> /*pairs*/,
                                 std::span<double> /*bounds*/) const {}
 
-  /// Upper bound (rad) of how much all joints, or the body, turn in all on that motion.
+  /// Upper bound (rad) of the sum of rotations of all joints, or of the body, during that motion.
   virtual double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const = 0;
 
   /// How every part follows a small motion of the moved frame, to second order.

@@ -22,7 +22,7 @@ struct BodyLocks {
 /// Ways to move an entity, by the part that the hand holds; its frame M follows the stylus. Each has its own options.
 namespace by {
 
-/// Robots: the tool centre point; joints follow by the inverse model.
+/// Robots: the tool centre point; the joints follow by the inverse model.
 struct Tool {
   /// The joints of the robot's carrier (a rail, a gantry, a rotary table) move along as external axes, if there are any
   /// that may move.
@@ -41,7 +41,7 @@ struct Default {
 struct Base {
   bool keeps_tool = false;          ///< The tool centre point stays in the cell and the joints follow; else the joints
                                     ///< do not move.
-  std::string at_singularity = {};  ///< As Tool's, where the tool stays.
+  std::string at_singularity = {};  ///< As in Tool, if the tool stays.
   bool operator==(const Base&) const = default;
 };
 /// Solids: the origin of the entity.
@@ -55,7 +55,7 @@ struct Center {
 /// The origin and axes of a frame by name: a robot's link, a frame of an entity, or another entity.
 struct Frame {
   std::string name = {};
-  std::string at_singularity = {};  ///< As Tool's, for a robot's link.
+  std::string at_singularity = {};  ///< As in Tool, for a robot's link.
   bool operator==(const Frame&) const = default;
 };
 /// Mannequins: the whole figure in its present posture.
@@ -72,7 +72,7 @@ struct Hand {
 /// Mannequins: what both hands hold.
 struct BothHands {
   bool apart = false;     ///< Each hand makes the stylus's motion about its own grip; else both move as one rigid body.
-  bool may_step = false;  ///< As Hand's.
+  bool may_step = false;  ///< As in Hand.
   BodyLocks locks = {};
   bool operator==(const BothHands&) const = default;
 };
@@ -89,7 +89,7 @@ struct Head {
 using MovedBy = std::variant<by::Default, by::Tool, by::Base, by::Origin, by::Center, by::Frame, by::Whole, by::Hand,
                              by::BothHands, by::Head>;
 
-/// The same thing is held, whatever its options and the frame's name.
+/// True for the same way (and the same side for a hand), whatever the options and the frame's name.
 bool isSameWay(const MovedBy& a, const MovedBy& b);
 /// True for ways that apply to mannequins only.
 bool isOfBody(const MovedBy& moved_by);
@@ -115,8 +115,8 @@ Expected<BodyLocks> parseLock(const std::string& text);
 /// Sets the locks. Error: `locks` is not empty but `moved_by` has no locks.
 Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks);
 
-/// "tcp", "frame:NAME", ...: how an entity is moved, as written in files and INTERFACES. Robots: by default tcp, solids
-/// self_origin.
+/// "tcp", "frame:NAME", ...: how an entity is moved, as written in files and INTERFACES. Defaults: tcp for robots,
+/// self_origin for solids.
 std::string wordOf(const MovedBy& moved_by, bool is_robot);
 
 }  // namespace hapticell::manipulation

@@ -31,7 +31,7 @@ struct PointCondition {
   dvec3 p_WQ{0.0};
   dvec3 nhat_W{0.0, 0.0, 1.0};
   double gap = 0.0;
-  dmat3 M{0.0};  ///< Curvature of what it meets, 1/m, positive where that is convex.
+  dmat3 M{0.0};  ///< Curvature of the surface that it meets, 1/m, positive where that is convex.
   /// The normal is fixed to the part: its face, curved by M, meets a corner of the obstacle at p_WQ.
   bool normal_moves = false;
 };
@@ -39,7 +39,7 @@ struct PointCondition {
 /// The same as gap, gradient and curvature over xi: a_i = n . v_i and B_ij = v_i . M v_j + n . a_ij (chain rule).
 void applyCondition(const PartDifferential& part, const PointCondition& condition, haptic::Constraint& constraint_W);
 
-/// The same to first order only, into a trim.
+/// The same to first order only, added to a trim.
 void applyTrim(const PartDifferential& part, const PointCondition& condition, haptic::Constraint& constraint_W);
 
 }  // namespace hapticell::manipulation

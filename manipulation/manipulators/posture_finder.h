@@ -10,7 +10,7 @@ namespace hapticell::manipulation {
 
 struct EntityConfiguration;
 
-/// Finds postures of a standing figure by solving again, not by following the hand: the stations of a detour. See
+/// Finds postures of a standing mannequin by solving again, not by following the hand: the stations of a detour. See
 /// Manipulator::postureFinder(). Used by one thread at a time.
 class PostureFinder {
  public:
@@ -24,7 +24,7 @@ class PostureFinder {
                                                       const std::function<bool()>& interrupted) const = 0;
   /// Upright postures on the same feet: with hanging arms, and with the arms in front of the body.
   virtual std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const = 0;
-  /// The same, moved and turned on the floor to where a hand works at `p_WM` comfortably: facing it from there, or
+  /// The same, moved and turned on the floor so that a hand works at `p_WM` comfortably: facing it from there, or
   /// facing as before.
   virtual std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const = 0;
   /// Unit, horizontal: the direction of the feet.

@@ -8,10 +8,10 @@
 
 namespace hapticell::manipulation {
 
-/// How a robot that is dragged by its tool centre point follows it, to second order: what its links and joints do for a
-/// small motion xi of the TCP (see PartDifferential).
+/// How a robot that is dragged by its tool centre point follows it, to second order: motions of its links and joints
+/// for a small motion xi of the TCP (see PartDifferential).
 struct RobotDifferential {
-  std::vector<PartDifferential> links;                     ///< One a link of the model.
+  std::vector<PartDifferential> links;                     ///< One per link of the model.
   std::vector<std::array<double, 6>> joint_velocity;       ///< dq_i / dxi: row i of the damped J+.
   std::vector<std::array<double, 21>> joint_acceleration;  ///< Bilinear second-order term of q_i, packed.
 
@@ -19,7 +19,7 @@ struct RobotDifferential {
   bool has_edge = false;
   haptic::Constraint edge;
 
-  /// Of a robot with a closure: its passive joints' limits and singularities, to first order.
+  /// For a robot with a closure: limits and singularities of its passive joints, to first order.
   struct Margin {
     kinematics::ClosureMargin at;
     haptic::Constraint constraint;
@@ -27,14 +27,14 @@ struct RobotDifferential {
   std::vector<Margin> margins;
 };
 
-/// Differentiates at joint positions `q` (one a variable), the root link standing at X_WB, the TCP at X_LT in link
+/// Differentiates at joint positions `q` (one per variable), with the root link at X_WB and the TCP at X_LT in link
 /// `tip`.
 ///
-/// The inverse of the 6 x n Jacobian is damped below a singular value of 0.02 (rotation weighed with
-/// haptic::kRotationLever): near a singularity joints then stay slow, as the inverse model keeps them (Wampler 1986,
-/// Nakamura and Hanafusa 1986). Second order: J q'' = -J' q' along each direction and its polarisation. The workspace's
-/// edge comes from a small singular value s with left and right vectors u, v: the motion u . x(t) = s t + c t^2 / 2
-/// along v turns at -s/c, so the boundary is s^2 / (2 |c|) away along u.
+/// The inverse of the 6 x n Jacobian is damped below a singular value of 0.02 (rotation weighted with
+/// haptic::kRotationLever): near a singularity, joints then stay slow, as in the inverse model (Wampler 1986, Nakamura
+/// and Hanafusa 1986). Second order: J q'' = -J' q' along each direction and its polarisation. The edge of the
+/// workspace is derived from a small singular value s with left and right vectors u, v: the motion u . x(t) = s t + c
+/// t^2 / 2 along v reverses at -s/c, so the boundary is s^2 / (2 |c|) away along u.
 RobotDifferential differentiateRobot(const kinematics::RobotModel& model, const std::vector<double>& q,
                                      const Pose& X_WB, int tip, const Pose& X_LT);
 

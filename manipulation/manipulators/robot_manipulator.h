@@ -15,7 +15,7 @@ struct RobotDifferential;
 /// A robot that is dragged by its tool centre point: the inverse model nearest to the previous joints moves the arm,
 /// and its joint limits and the edge of its workspace are felt.
 ///
-/// One proposal never moves a joint further than its greatest speed allows in the time given: at a wrist singularity
+/// One proposal never moves a joint further than its greatest speed allows in the given time: at a wrist singularity
 /// the arm swings round in many steps, keeping its position (or what kinematics::SingularityChoice selects), and never
 /// jumps. The next step proposes the rest of the motion.
 class RobotManipulator final : public Manipulator {
@@ -35,7 +35,7 @@ class RobotManipulator final : public Manipulator {
   /// Makes singularities walls that are felt and never passed. No effect on robots with closed loops, whose closure has
   /// its own limits.
   void stopAtSingularities();
-  /// Parts that are links.
+  /// The parts for these links.
   static std::vector<Part> partsOf(const std::vector<int>& links);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;

@@ -13,7 +13,7 @@ struct Blocks {
   dmat3 angular{0.0};
 };
 
-/// Place of entry (i, j), i <= j < 6, in a packed upper triangle.
+/// Index of entry (i, j), i <= j < 6, in a packed upper triangle.
 constexpr std::size_t packedIndex(std::size_t i, std::size_t j) {
   return i * 6 - i * (i + 1) / 2 + j;
 }

@@ -20,9 +20,9 @@ struct OwnPair {
   std::size_t second = 0;
 };
 
-/// The pairs that are worth checking against each other, by the robot's structure alone. Left out: parts on one rigid
-/// body (links joined by fixed joints); and of the links' own shapes those that one joint joins, and those that an SRDF
-/// or the closure's maker disabled. Two carried parts are no pair: they were put together on purpose.
+/// The pairs to check against each other, by the robot's structure alone. Left out: parts of one rigid body (links
+/// joined by fixed joints); of the links' own shapes, those connected by one joint, and those that an SRDF or the maker
+/// of the closure disabled. Two carried parts are not a pair: they were put together on purpose.
 std::vector<OwnPair> ownPairs(const kinematics::RobotModel& model, std::span<const OwnPart> parts);
 
 }  // namespace hapticell::manipulation

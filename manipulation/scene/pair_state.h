@@ -8,7 +8,7 @@
 
 namespace hapticell::manipulation {
 
-/// The nearest points of one pair inside its near-miss distance (or the nearest pair of all).
+/// The nearest points of one pair within its near-miss distance (or the nearest pair of all).
 struct PairState {
   workcell::EntityId moved = 0;
   workcell::EntityId other = 0;
@@ -19,7 +19,7 @@ struct PairState {
   dvec3 p_WB{0.0};
   bool contact = false;  ///< At the safety boundary.
   bool near_miss = false;
-  double near_miss_distance = 0.010;  ///< Metres: where this pair's near miss begins.
+  double near_miss_distance = 0.010;  ///< Metres: the distance at which this pair's near miss begins.
 };
 
 }  // namespace hapticell::manipulation

@@ -18,10 +18,10 @@
 
 namespace hapticell::manipulation {
 
-/// A mesh made ready for both kinds of query, as it is felt (collision::feltMesh): material behind every triangle,
-/// whichever way they turn in the file; open sheets are thin plates, so that both of their sides are felt.
+/// A mesh prepared for both kinds of query, as it is felt (collision::feltMesh): material is behind every triangle,
+/// whatever its direction in the file; open sheets are thin plates, so that both sides can be felt.
 struct PreparedMesh {
-  /// Of the mesh with its hollows relieved (collision::relievedMesh).
+  /// From the mesh with its hollows relieved (collision::relievedMesh).
   std::shared_ptr<const collision::MeshCollider> collider;
   std::shared_ptr<const collision::ConvexPieces> pieces;
   std::shared_ptr<const collision::SurfaceModel> surfaces;
@@ -42,27 +42,27 @@ class PreparedScene;
 
 /// Progress of a preparation, for showing or cancelling it. Any thread may read, and cancel, at any time.
 struct PreparationProgress {
-  std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
-  std::atomic<std::size_t> done{0};   ///< and of these so far.
+  std::atomic<std::size_t> steps{0};  ///< In total (a triangle counts once for each thing that is made of it),
+  std::atomic<std::size_t> done{0};   ///< and done so far.
   collision::BuildProgress build;     ///< Its `cancelled` ends the preparation.
-  /// After a preparation that was cancelled: the meshes it had made ready, for the next one's `previous`. Of the
+  /// After a cancelled preparation: the meshes that were ready, for `previous` of the next one. Belongs to the
   /// preparing thread.
   std::shared_ptr<const PreparedScene> given_up;
 };
 
-/// The document prepared for the manipulation loop: its entities, their parts ready for queries, and what is checked
-/// against what. Immutable; any thread.
+/// The document prepared for the manipulation loop: its entities, their parts ready for queries, and the pairs to
+/// check. Immutable; any thread.
 class PreparedScene {
  public:
-  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are taken over
-  /// from it. Entities without a mesh have no parts. Null when cancelled (see PreparationProgress::given_up). Programs
-  /// use SceneService instead, the only owner of scenes.
+  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has are reused. Entities
+  /// without a mesh have no parts. Null when cancelled (see PreparationProgress::given_up). Programs use SceneService
+  /// instead, the only owner of scenes.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
                                                       const PreparedScene* previous = nullptr,
                                                       PreparationProgress* progress = nullptr);
-  /// The same with the meshes of several others.
+  /// The same, reusing the meshes of several others.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
@@ -79,14 +79,14 @@ class PreparedScene {
   /// Pose X_WP of an entity's part for the given placement and joints.
   static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
 
-  /// What is checked against the entity, its own choice on contact being `on_contact`.
+  /// The pairs to check for the entity, with `on_contact` as its own contact mode.
   std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
 
   /// The user's rule for two of its parts; null without a rule.
   const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
 
-  /// Whether these two are ever checked against each other: no rule of the user leaves them out, and they can move
-  /// against each other (what is attached is one body with the link it is attached to).
+  /// Whether these two are ever checked against each other: no rule of the user excludes them, and they can move
+  /// relative to each other (an attached entity is one body with its link).
   bool isChecked(const ScenePart& a, const ScenePart& b) const;
 
   /// A frame by its name: a frame of an entity, or an entity's own. Null entity if it does not exist.
@@ -112,7 +112,7 @@ class PreparedScene {
   workcell::PairPolicy pairs_;
   workcell::PairDefaults defaults_;
   std::vector<ScenePart> parts_;
-  std::vector<MeshKey> keys_;  ///< Of the parts' meshes.
+  std::vector<MeshKey> keys_;  ///< For the parts' meshes.
   std::map<MeshKey, PreparedMesh> meshes_;
 };
 

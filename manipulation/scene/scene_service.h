@@ -18,12 +18,12 @@ struct SceneSource {
   std::vector<workcell::Entity> entities;
   workcell::PairPolicy pairs;
   workcell::PairDefaults defaults;
-  /// Of the document (workcell::Document::revision()): the same revision with the same pairs is the same scene. 0: not
-  /// known.
+  /// Of the document (workcell::Document::revision()): the same revision with the same pairs means the same scene. 0:
+  /// unknown.
   std::uint64_t revision = 0;
 };
 
-/// Distances for pairs that no set names, as configured.
+/// Configured distances, for pairs that no pair set names.
 workcell::PairDefaults pairDefaults(const config::Configuration& configuration);
 /// The present document, with all its pair sets and rules.
 SceneSource sourceOf(const workcell::Document& document, const workcell::PairDefaults& defaults);
@@ -51,7 +51,7 @@ class SceneService {
   void forget();
 
  private:
-  /// A scene that was returned. The newest are kept; for others it is known whether they are still in use.
+  /// A scene that was returned. The newest are kept; for others, tells whether they are still in use.
   struct Known {
     std::weak_ptr<const PreparedScene> scene;
     std::uint64_t revision = 0;

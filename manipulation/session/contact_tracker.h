@@ -20,17 +20,17 @@ struct ContactInterval {
   double max_force = 0.0;
 };
 
-/// Which entities touched, when and how hard.
+/// Which entities touched, when, and with what force.
 class ContactTracker {
  public:
   void add(double t, const ManipulationEngine& engine, double force);
-  /// What still touches touched until `t`.
+  /// Ends the present contacts at `t`.
   void finish(double t);
   const std::vector<ContactInterval>& contacts() const { return contacts_; }
 
  private:
   std::vector<ContactInterval> contacts_;
-  IntervalTracker<std::pair<workcell::EntityId, workcell::EntityId>, std::size_t> open_;  // Data: which of contacts_.
+  IntervalTracker<std::pair<workcell::EntityId, workcell::EntityId>, std::size_t> open_;  // Data: index into contacts_.
 };
 
 }  // namespace hapticell::manipulation

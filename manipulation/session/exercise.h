@@ -14,22 +14,22 @@
 
 namespace hapticell::manipulation {
 
-/// An exercise: a cell, an expert's recording in it, and how the trainee is led. Stored in a file (*.hexercise, JSON)
-/// next to the cell and the recording that it names.
+/// An exercise: a cell, an expert's recording in it, and the guidance for the trainee. Stored in a file (*.hexercise,
+/// JSON) next to the cell and the recording that it names.
 struct Exercise {
   std::string name, text;           ///< Its name; the task, for the trainee.
   std::filesystem::path workcell;   ///< Absolute.
   std::filesystem::path recording;  ///< Absolute: the expert's motion (*.htraj), of one entity of the cell.
-  double tube_radius = 0.02;        ///< m about the expert's path.
-  double lead = 0.012;              ///< m that the guidance pulls ahead of the trainee.
+  double tube_radius = 0.02;        ///< m around the expert's path.
+  double lead = 0.012;              ///< m by which the guidance pulls ahead of the trainee.
   double stiffness = 200.0;         ///< N/m at full guidance, up to 500.
-  double pass = 60.0;               ///< Score from which a run is a success.
+  double pass = 60.0;               ///< Score from which a run is successful.
   trajectory::ScoringRule rule;
 };
 
-/// Errors name the file and the field; numbers out of range are refused. The files that it names are not read here.
+/// Errors name the file and the field; numbers out of range are errors. Does not read the files that it names.
 Expected<Exercise> readExercise(const std::filesystem::path& file);
-/// Its text for a file in `folder`.
+/// The text of an exercise for a file in `folder`.
 std::string exerciseText(const Exercise& exercise, const std::filesystem::path& folder);
 /// Reads a written exercise and compares every field of it with what was to be written. Error: the field with its found
 /// and expected value, or why the file cannot be read (a number out of range).
@@ -44,7 +44,7 @@ class TrainingRun {
   /// @pre the expert has frames
   TrainingRun(const Exercise& exercise, trajectory::Trajectory expert, double help);
 
-  /// Where the moved frame is now.
+  /// Sets the present pose of the moved frame.
   void follow(const Pose& X_WM);
   /// The present guide; without guidance only the tube around the path remains, and with `help` 0 not even that.
   workcell::Guide guide() const;
@@ -53,12 +53,12 @@ class TrainingRun {
   /// The path is completed: the run can be ended.
   bool isDone() const { return progress_.share() > 0.98; }
   const trajectory::Trajectory& expert() const { return expert_; }
-  /// When the expert was where the trainee is, s since the recording's beginning.
+  /// Time at which the expert was where the trainee is now, s since the start of the recording.
   double expertTime() const { return progress_.timeAt(progress_.way()) - expert_[0].t; }
-  /// Pose of the expert a little ahead: what the trainee is shown.
+  /// Pose of the expert a little ahead, shown to the trainee.
   Pose ahead() const { return progress_.expertAt(std::min(progress_.length(), progress_.way() + exercise_.lead)); }
 
-  /// Scores what was recorded of the run; `date` as ISO 8601.
+  /// Scores the recording of the run; `date` as ISO 8601.
   trajectory::TrainingAttempt finish(const trajectory::Trajectory& run, const std::string& date) const;
 
   static constexpr const char* kGuideName = "training";

@@ -6,22 +6,22 @@
 
 namespace hapticell::manipulation {
 
-/// What one tick of the force loop tells the meter. Device frame, SI.
+/// Data of one tick of the force loop. Device frame, SI.
 struct MeteredTick {
   double t = 0.0;
   dvec3 force_D{0.0};               ///< Commanded, N.
-  haptic::MetricVector coupling_D;  ///< What of it (and of the torque) is no load's: what is booked, N.
-  haptic::MetricVector step_D;  ///< The stylus's way since the last tick, as measured, as seen from what it touches.
-  double stiffness = 1000;      ///< Of the coupling, N/m.
+  haptic::MetricVector coupling_D;  ///< Without loads, for the energy account, N.
+  haptic::MetricVector step_D;      ///< Measured motion of the stylus since the last tick, relative to what it touches.
+  double stiffness = 1000;          ///< Of the coupling, N/m.
 };
 
-/// The greatest force and slew of a session, and its worst energy.
+/// The greatest force and slew of a session, and its worst energy balance.
 ///
-/// Energy: the worst fall of haptic::EnergyAccount's balance within a second (docs/dev/feel.md). What a held part's weight
-/// and inertia do is no part of it.
+/// Energy: the worst decrease of the balance of haptic::EnergyAccount within a second (docs/dev/feel.md). Does not
+/// include work of a held part's weight and inertia.
 class ForceExtremes {
  public:
-  /// `delay_ticks` of the device, where it is known.
+  /// `delay_ticks` of the device, if known.
   explicit ForceExtremes(int delay_ticks = 0) : energy_(delay_ticks) {}
   void add(const MeteredTick& tick);
   double maxForce() const { return max_force_; }

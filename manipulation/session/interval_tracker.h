@@ -6,21 +6,21 @@
 
 namespace hapticell::manipulation {
 
-/// s: interruptions up to this end no contact and no limit of a report; a hand that trembles at 20 Hz ends none. Half:
-/// chattering contacts are several; twice: quick taps are one.
+/// s; shorter interruptions end no contact and no limit in a report: a hand that trembles at 20 Hz ends none. Half: a
+/// chattering contact counts as several; twice: quick taps count as one.
 inline constexpr double kInterruption = 0.050;
 
-/// Follows what holds for a while, by its key: contacts, limits, near misses. What is not seen for a moment goes on;
-/// how long that moment may be is said where intervals are ended. A value; one thread.
+/// Follows states that last for a while, by key: contacts, limits, near misses. A short absence does not end one; its
+/// length is given where intervals are ended. A value; one thread.
 template <typename Key, typename Data>
 class IntervalTracker {
  public:
   struct Interval {
-    double began = 0.0, seen = 0.0;  ///< s: at first, and the last time.
+    double began = 0.0, seen = 0.0;  ///< s: start, and last time seen.
     Data data{};
   };
 
-  /// Key holds at `t`: its interval, and whether it begins now (with new data).
+  /// `key` is present at `t`: returns its interval, and whether it begins now (with new data).
   std::pair<Interval&, bool> see(const Key& key, double t) {
     const auto [at, begins] = open_.try_emplace(key);
     if (begins) at->second.began = t;
@@ -28,7 +28,7 @@ class IntervalTracker {
     return {at->second, begins};
   }
 
-  /// Ends those that were last seen more than `pause` before `t`, in the order of their keys.
+  /// Ends the intervals that were last seen more than `pause` before `t`, in the order of their keys.
   template <typename Ended>
   void endOlder(double t, double pause, const Ended& ended) {
     std::erase_if(open_, [&](const auto& entry) {

@@ -7,15 +7,15 @@
 
 namespace hapticell::manipulation {
 
-/// How far and how fast one joint moved while it was held.
+/// How far and how fast one joint of a held entity moved.
 struct JointUse {
   int joint = -1;  ///< Index among the robot's joints.
   double lowest = 0.0, highest = 0.0;
   double max_speed = 0.0;       ///< rad/s or m/s, from one step to the next.
-  double greatest_speed = 0.0;  ///< Allowed.
+  double greatest_speed = 0.0;  ///< The joint's limit.
 };
 
-/// Follows the joints of what is held from step to step.
+/// Follows the joints of the held entity from step to step.
 class JointMeter {
  public:
   void add(double t, const ManipulationEngine& engine);

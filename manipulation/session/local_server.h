@@ -10,10 +10,10 @@
 namespace hapticell::manipulation {
 
 /// A private haptic server for one session: force loop and network in threads of this process, listening on a free port
-/// of this machine, with a simulated device. It ends with the object, force zero first.
+/// of this machine, with a simulated device. It ends with the object, after setting the force to zero.
 class LocalServer {
  public:
-  /// Errors: the device cannot be opened, no port can be had.
+  /// Errors: the device cannot be opened, no port is free.
   static Expected<std::unique_ptr<LocalServer>> start(const config::DeviceProfile& profile,
                                                       const config::Configuration& configuration);
   ~LocalServer();

@@ -5,15 +5,15 @@
 
 namespace hapticell::manipulation {
 
-/// Measures how deep the shown entity is in anything, by exact distance queries of its own that share nothing with the
-/// engine but the meshes.
+/// Measures how deep the shown entity penetrates others, by its own exact distance queries, which share only the meshes
+/// with the engine.
 class PenetrationMeter {
  public:
-  /// Depth of the held entity now, m: 0 when it is free; else an upper bound (the shortest translation found that frees
-  /// it).
+  /// Present depth of the held entity, m: 0 if it is free; else an upper bound (the shortest translation found that
+  /// frees it).
   double measure(const ManipulationEngine& engine);
   double worst() const { return worst_; }
-  /// Of pairs that must not pass through each other.
+  /// For pairs that must not pass through each other.
   double worstBlocked() const { return worst_blocked_; }
 
  private:

@@ -21,12 +21,12 @@
 
 namespace hapticell::manipulation {
 
-/// A whole session: a workcell, who is moved, how the hand moves, and all choices.
+/// A whole session: a workcell, the moved entity, the motion of the hand, and all options.
 struct SessionOptions {
   std::vector<workcell::Entity> entities;
   workcell::PairPolicy pairs;
   std::vector<workcell::Guide> guides;
-  std::string entity;  ///< The name of the chosen one; the first press of the button takes it.
+  std::string entity;  ///< Name of the entity that the first press of the button takes.
   haptic::HandPath hand{{haptic::HandSample{}}};
 
   double rate_gui_hz = 60.0;
@@ -42,9 +42,9 @@ struct SessionOptions {
   bool forces = true;
   command::SetFilter filter;
 
-  std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
+  std::optional<trajectory::RecordingOptions> recording;  ///< Records what is held, once per step of the loop.
   bool mark_by_button = false;  ///< The second button adds a frame by hand (else it is the clutch).
-  /// Guidance along an expert's path (0 .. 1), felt while the recording's entity is held.
+  /// Guidance along an expert's path (0 to 1), felt while the recording's entity is held.
   struct Training {
     Exercise exercise;
     trajectory::Trajectory expert;
@@ -59,28 +59,28 @@ struct TraceRow {
   Pose X_DS;
   Pose X_DP;
   dvec3 force_D{0.0};   ///< Commanded, N.
-  dvec3 torque_D{0.0};  ///< Commanded, N m; zero on a device that drives no turning.
+  dvec3 torque_D{0.0};  ///< Commanded, N m; zero on a device without torque.
   std::uint32_t buttons = 0;
   bool contact = false;
-  Pose X_WM;  ///< The moved frame of what is held as it is shown; identity while nothing is held.
+  Pose X_WM;  ///< The moved frame of the held entity, as shown; identity if nothing is held.
 };
 using TraceSink = std::function<void(const TraceRow&)>;
 
-/// How late things were in a session, ms.
+/// Delays in a session, ms.
 struct SessionDelays {
   double step_median_ms = 0.0, step_p99_ms = 0.0, step_max_ms = 0.0;  ///< Machine time of a step.
   double latency_p50_ms = 0.0, latency_p99_ms = 0.0;  ///< From the query of a set to its use by the force loop.
 };
 
-/// The worst of what the hand and the parts met in a session.
+/// The worst values for hand and parts in a session.
 struct SessionForces {
   double force_max_n = 0.0, force_max_step_n_per_ms = 0.0;
-  double penetration_blocked_m = 0.0;  ///< Of pairs that must not pass through each other.
+  double penetration_blocked_m = 0.0;  ///< For pairs that must not pass through each other.
   double penetration_max_m = 0.0;
   double energy_min_j = 0.0;
 };
 
-/// How a session ended.
+/// State at the end of a session.
 struct SessionEnd {
   bool held = false;
   EntityConfiguration configuration;
@@ -88,10 +88,10 @@ struct SessionEnd {
   std::vector<std::pair<std::string, EntityConfiguration>> axes;
   Pose X_WM;                          ///< The moved frame.
   std::vector<std::string> contacts;  ///< Names of what it touches.
-  std::vector<std::string> limits;    ///< Why it does not follow: "A5 is at its upper limit".
+  std::vector<std::string> limits;    ///< Why it does not follow, as in "A5 is at its upper limit".
 };
 
-/// What a session showed.
+/// Results of a session.
 struct SessionReport {
   double duration_s = 0.0;
   double machine_time_s = 0.0;
@@ -100,19 +100,19 @@ struct SessionReport {
   SessionDelays delays;
   SessionForces forces;
   std::vector<ContactInterval> contacts;
-  std::vector<LimitInterval> limits;  ///< What of the entity itself held it, in the order of their beginning.
-  std::vector<JointUse> joints;       ///< One a variable of a robot; empty for others.
+  std::vector<LimitInterval> limits;  ///< The entity's own limits that held it, in the order of their beginning.
+  std::vector<JointUse> joints;       ///< One per variable of a robot; empty for others.
   std::vector<std::string> notices;
   SessionEnd end;
-  double training_share = 0.0;       ///< Completed share of the expert's path.
-  trajectory::Trajectory recording;  ///< Without frames where none was asked for, or nothing was moved.
+  double training_share = 0.0;                           ///< Completed share of the expert's path.
+  trajectory::Trajectory recording;                      ///< Without frames if not requested, or if nothing was moved.
   std::vector<trajectory::Trajectory> other_recordings;  ///< Of the entities that moved besides the chosen one, on its
                                                          ///< clock.
 };
 
 /// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation
-/// step and the picture at their rates, messages late by the latency. The same options give the same report to the last
-/// digit (but for machine times). Errors: the entity or the frame does not exist, an unusable mesh.
+/// step and the frames at their rates, messages delayed by the latency. The same options give exactly the same report
+/// (except for machine times). Errors: the entity or the frame does not exist, an unusable mesh.
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace = {});
 
 /// The same through a haptic server over TCP, in real time. The server's device must be a simulated one, which this

@@ -9,11 +9,11 @@
 namespace hapticell::workcell {
 
 /// The state in which the assembly `name` and all solids below it are one solid of that name, so that it can be held as
-/// one body. The state itself where `name` is no assembly, or one with robots or mechanisms below it.
+/// one body. The unchanged state if `name` is not an assembly, or one with robots or mechanisms below it.
 DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name);
 
-/// One solid made of an entity and everything below it in the tree (without robots), in the entity's frame: what an
-/// assembly is while it is held. Empty where there is no mesh at all.
+/// One mesh made of an entity and everything below it in the tree (without robots), in the entity's frame: the shape of
+/// an assembly while it is held. Empty if there is no mesh at all.
 geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id);
 
 }  // namespace hapticell::workcell

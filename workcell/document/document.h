@@ -15,7 +15,7 @@ namespace hapticell::workcell {
 
 /// The workcell: entities, pair sets, view. Changed only by commands, each of which can be undone.
 ///
-/// Belongs to one thread (the window's, or a command's). Others are handed values: snapshotEntities(), or a copy of
+/// Belongs to one thread (the window's, or a command's). Other threads get values: snapshotEntities(), or a copy of
 /// state().
 class Document {
  public:
@@ -23,8 +23,8 @@ class Document {
   /// A document as read: nothing to undo, not dirty. Ids are assigned again, in order.
   explicit Document(DocumentState state);
 
-  /// Where documents follow each other: ids and revision continue from the previous document's, so that none of them is
-  /// used in both. Before the first command.
+  /// For documents that follow each other: continues ids and revision from the previous document, so that none is used
+  /// in both. Call it before the first command.
   void continueAfter(const Document& before);
 
   const DocumentState& state() const { return state_; }
@@ -32,22 +32,22 @@ class Document {
   const Entity* findByName(std::string_view name) const { return state_.findByName(name); }
   /// Copies of all entities; meshes and robot models are shared.
   std::vector<Entity> snapshotEntities() const;
-  /// `wanted`, or "wanted 2", "wanted 3" ... where that name is taken.
+  /// `wanted`, or "wanted 2", "wanted 3" ... if that name is taken.
   std::string uniqueName(std::string_view wanted) const;
 
-  /// Does the command as one step of undo (or as part of the compound that is open); undone steps can then no longer be
-  /// redone. On error nothing has changed. Gives the id of the entity it was about; 0 for commands about none.
+  /// Executes the command as one undo step (or as part of the open compound); undone steps can then no longer be
+  /// redone. On error nothing has changed. Returns the id of the entity concerned; 0 for commands without one.
   Expected<EntityId> execute(const Command& command);
 
-  /// From here to endCompound() all commands are one step with this text: a drag, an import. Compounds may be nested;
-  /// the outermost counts. A compound that changed nothing leaves no step.
+  /// Makes all commands until endCompound() one undo step with this text: for a drag, an import. Compounds may be
+  /// nested; the outermost one counts. A compound that changed nothing leaves no step.
   void beginCompound(std::string text);
   void endCompound();
-  /// Ends all open compounds and takes back what was done in them (Escape during a drag).
+  /// Ends all open compounds and reverts what was done in them (Escape during a drag).
   void cancelCompound();
   bool inCompound() const { return compound_depth_ > 0; }
 
-  /// False, and nothing done, where there is nothing to undo or a compound is open.
+  /// Returns false and does nothing if there is nothing to undo or a compound is open.
   bool undo();
   bool redo();
   bool canUndo() const { return !inCompound() && !undo_.empty(); }
@@ -56,29 +56,29 @@ class Document {
   std::string undoText() const { return undo_.empty() ? "" : undo_.back().text; }
   std::string redoText() const { return redo_.empty() ? "" : redo_.back().text; }
 
-  /// What can be undone, oldest first, and what can be done again, next first: the history as a list.
+  /// Texts of the steps that can be undone, oldest first, and of those that can be redone, next first: the history.
   std::vector<std::string> undoTexts() const;
   std::vector<std::string> redoTexts() const;
 
-  /// Grows with every change, undo and redo too: data for drawing or checking are out of date if it differs.
+  /// Grows with every change, including undo and redo: data for drawing or checking are outdated if it differs.
   std::uint64_t revision() const { return revision_; }
-  /// True when the state is not the one last saved or read; undoing back to that makes it false.
+  /// True if the state differs from the one last saved or read; undoing back to that makes it false.
   bool isDirty() const { return state_id_ != saved_state_id_; }
   void markSaved() { saved_state_id_ = state_id_; }
-  /// Makes it dirty whatever is undone: it was restored from a copy and is not in a file.
+  /// Makes it dirty, whatever is undone: for a document restored from a recovery copy, which is in no file.
   void markUnsaved() { saved_state_id_ = ~std::uint64_t{0}; }
 
-  /// Their files have moved (old to new path); changes all states of the undo history. Not a change by itself.
+  /// Files of trajectories have moved (old to new path): changes all states of the undo history. No change in itself.
   void moveTrajectories(const std::map<std::string, std::string>& places);
 
-  /// Where it was read or last saved; empty for a new one.
+  /// The file that it was read from or last saved to; empty for a new document.
   const std::filesystem::path& path() const { return path_; }
   void setPath(std::filesystem::path path) { path_ = std::move(path); }
 
  private:
   struct Step {
     std::string text;
-    DocumentState state;  // The one to go to.
+    DocumentState state;  // The state to go to.
     std::uint64_t state_id = 0;
   };
 
@@ -92,7 +92,7 @@ class Document {
   Step compound_;  // The state before the open compound.
   int compound_depth_ = 0;
   std::uint64_t revision_ = 0;
-  std::uint64_t state_id_ = 0;  // Names the state; never given twice.
+  std::uint64_t state_id_ = 0;  // Identifies the state; never used twice.
   std::uint64_t last_state_id_ = 0;
   std::uint64_t saved_state_id_ = 0;
   std::filesystem::path path_;

@@ -8,9 +8,9 @@
 
 namespace hapticell::workcell {
 
-/// Gives a built-in part of the document other sizes (metres, in the order of BuiltInPart::sizes): makes the shape
-/// again. If the height of a part on the floor changes, the entities attached to it move up or down with its top.
-/// Errors: no such part, or unusable sizes; the sentence gives the allowed ones.
+/// Gives a built-in part of the document other sizes (metres, in the order of BuiltInPart::sizes) and makes its shape
+/// again. If the height of a part on the floor changes, entities attached to it move up or down with its top. Errors:
+/// no such part, or unusable sizes; the message states the allowed ones.
 Expected<std::vector<Command>> resizePart(const DocumentState& state, EntityId id, const std::vector<double>& sizes);
 
 }  // namespace hapticell::workcell

@@ -6,9 +6,9 @@
 
 namespace hapticell::workcell {
 
-// One function a command, in a file by kind (entity, robot, mechanism, set). Each gives what apply() gives and leaves
-// the state untouched where it gives an error. A new command needs: its struct and place in `Command`, a line here with
-// its function, and a line in command_text.cpp.
+// One function per command, in a file by kind (entity, robot, mechanism, set). Each returns what apply() returns and
+// leaves the state unchanged on error. A new command needs: its struct and an entry in `Command`, a line here with its
+// function, and a line in command_text.cpp.
 
 Expected<EntityId> perform(const AddEntity& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit);
@@ -44,13 +44,13 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const SetView& command, StateEdit& edit);
 
-/// As AddEntity, where the caller knows that no entity has its name: none is looked for.
+/// Like AddEntity, for a caller that knows that the name is unused: does not search for it.
 Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit);
 
-/// Whether the entity to which `entity` is attached exists, with the link that it names.
+/// Checks that the entity to which `entity` is attached exists and has the named link.
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state);
 
-/// The link that carries a robot's tool: the chosen tip, else the model's last link.
+/// The link that carries a robot's tool: the chosen tip link, else the model's last link.
 std::string tipOf(const Entity& robot);
 
 }  // namespace hapticell::workcell

@@ -10,14 +10,14 @@
 
 namespace hapticell::workcell {
 
-// What a program keeps of a document that is not saved, against its own end. Each run has its own folder (RunFolder) in
-// the user's state folder; it is locked while the run lives, so that copies left by an ended run (findLeftWork()) are
-// distinguished from those of another running window.
+// What a program keeps of an unsaved document in case it ends unexpectedly. Each run has its own folder (RunFolder) in
+// the user's state folder. The folder is locked while the run lives, so that copies left by an ended run
+// (findLeftWork()) are distinguished from those of another running window.
 
-/// The folder in which the folders of runs are: $XDG_STATE_HOME/hapticell/runs, else below ~/.local/state.
+/// The parent folder of the runs' folders: $XDG_STATE_HOME/hapticell/runs, else below ~/.local/state.
 std::filesystem::path runsFolder();
 
-/// The folder of one run. It is made by the first who asks for it and goes with this object, unless it holds a copy.
+/// The folder of one run. The first call of path() makes it; it is removed with this object, unless it contains a copy.
 /// One thread.
 class RunFolder {
  public:
@@ -25,11 +25,11 @@ class RunFolder {
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
-  /// Made and locked. Error: no folder can be made there.
+  /// Makes and locks it if necessary. Error: the folder cannot be made.
   Expected<std::filesystem::path> path();
-  /// The document was saved, closed or replaced in an orderly way: removes the copy.
+  /// Removes the copy, because the document was saved, closed or replaced properly.
   void discardCopy();
-  /// Takes over the copy that another run left: from here on it is this run's.
+  /// Takes over the copy that another run left: from now on it belongs to this run.
   Expected<void> adopt(const std::filesystem::path& left);
 
  private:
@@ -37,47 +37,47 @@ class RunFolder {
   int lock_ = -1;
 };
 
-/// What a copy is a copy of: by content, since clocks are set back.
+/// What a recovery copy is a copy of; compared by content, because clocks may be set back.
 struct CopyFacts {
-  std::filesystem::path document;  ///< Where it belongs; empty: a new one.
+  std::filesystem::path document;  ///< Its document's path; empty: a new one.
   std::string base;           ///< contentName() of the document's file when it was read or last saved; empty: unknown.
   std::string as_saved;       ///< contentName() of the file that saving the copy's state would write.
-  std::uint64_t counter = 0;  ///< Grows from copy to copy, over all runs whose folders are there.
+  std::uint64_t counter = 0;  ///< Increases from copy to copy, over all runs whose folders exist.
 };
 
-/// Writes the copy of a state that belongs to the document at `document` (empty: a new one), whose file held `base`
-/// (contentName()) when it was read or last saved, into a run's folder. The old copy stays complete until the new one
-/// is. Any thread, one at a time.
+/// Writes the copy of a state of the document at `document` (empty: a new one) into a run's folder; the document's file
+/// held `base` (contentName()) when it was read or last saved. The old copy stays complete until the new one is
+/// complete. Any thread, one at a time.
 Expected<void> autosave(const DocumentState& state, const std::filesystem::path& document,
                         const std::filesystem::path& run, const std::string& base = {});
 
-/// Of the copy in a run's folder. Nothing of use where none says it.
+/// Facts about the copy in a run's folder. Empty if they are missing.
 CopyFacts copyFactsIn(const std::filesystem::path& run);
 
-/// Where autosave() writes to.
+/// The file that autosave() writes.
 std::filesystem::path copyIn(const std::filesystem::path& run);
 /// Path of a picture of the copy, if the program made one (JPEG).
 std::filesystem::path pictureIn(const std::filesystem::path& run);
-/// Where the program notes what broke, as one line of text.
+/// The file in which the program notes the cause of a crash, as one line of text.
 std::filesystem::path crashNoteIn(const std::filesystem::path& run);
 
-/// A document as it was when its run ended without saving it.
+/// A document at the time when its run ended without saving it.
 struct LeftWork {
   std::filesystem::path run;
-  std::filesystem::path copy;      ///< Opened by loadDocument(). Empty: nothing was unsaved, it only broke.
-  std::filesystem::path document;  ///< Where it belongs; empty: a new one.
-  bool document_changed = false;   ///< Its file was written by others since the work began: the copy lacks that.
-  std::uint64_t counter = 0;       ///< Greater: the later copy, whatever the clocks say.
+  std::filesystem::path copy;      ///< For loadDocument(). Empty: nothing was unsaved, the program only crashed.
+  std::filesystem::path document;  ///< Its document's path; empty: a new one.
+  bool document_changed = false;   ///< Others wrote its file since the work began: the copy lacks these changes.
+  std::uint64_t counter = 0;       ///< Greater means later, whatever the clocks say.
   std::filesystem::path picture;   ///< Empty: none.
-  std::string crash;               ///< What broke, as one line; empty: it was ended from outside.
-  std::filesystem::file_time_type time{};  ///< Of the copy, or of the note.
+  std::string crash;               ///< Cause of the crash, as one line; empty: it was ended from outside.
+  std::filesystem::file_time_type time{};  ///< Time of the copy, or of the note.
 };
 
 /// Recovery copies left by earlier runs, newest first. A copy equal to the document's file is not listed but removed,
 /// because nothing is lost.
 std::vector<LeftWork> findLeftWork();
 
-/// It was restored and saved, or is not wanted.
+/// Removes unsaved work that was restored and saved, or is not wanted.
 void discardLeftWork(const std::filesystem::path& run);
 
 }  // namespace hapticell::workcell

@@ -21,30 +21,30 @@ struct DocumentOwner {
   Text words() const;
 };
 
-/// Says that this program has a document open, by a hidden file next to it, .NAME.lock, which names the owner and is
-/// locked while the owner runs. What a dead program left counts for nothing; on another machine's disk, where that
-/// is not known, it counts until it is taken over. Goes with this object. It keeps nobody from writing: programs ask
-/// it.
+/// Marks a document as open in this program, by a hidden file next to it, .NAME.lock, which names the owner and is
+/// locked while the owner runs. A file left by a program that ended is ignored; on another machine's disk, where that
+/// cannot be known, it counts until it is taken over. Removed with this object. It does not prevent writing: programs
+/// must check it.
 class DocumentLock {
  public:
-  /// None.
+  /// No lock.
   DocumentLock() = default;
-  /// Of the document at that path (what a symbolic link means), unless another has it: then owner() says who. Where no
-  /// file can be made, neither is so: there nobody can save either. What dead programs of this machine left for other
-  /// documents of its folder is removed.
+  /// Locks the document at that path (following a symbolic link), unless another program has it: then owner() says who.
+  /// If no file can be made, nobody has it: nobody can save there either. Also removes files that ended programs of
+  /// this machine left for other documents of its folder.
   static DocumentLock take(const std::filesystem::path& document);
-  /// For what is written in one go. Error: another program has it open.
+  /// For writing once. Error: another program has the document open.
   static Expected<DocumentLock> takeForWriting(const std::filesystem::path& document);
   DocumentLock(DocumentLock&& other) noexcept;
   DocumentLock& operator=(DocumentLock&& other) noexcept;
   ~DocumentLock();
 
   bool isHeld() const { return file_ >= 0; }
-  /// The other one; none where this program has it, or nobody can.
+  /// The other owner; empty if this program has the lock, or nobody can.
   const std::optional<DocumentOwner>& owner() const { return owner_; }
-  /// Looks again: the other one may be gone. True: nobody else has it.
+  /// Tries again, because the other program may have ended. True: no other program has it.
   bool tryAgain();
-  /// As tryAgain(), and an owner on another machine who may be gone counts no longer.
+  /// Like tryAgain(), but also ignores an owner on another machine who may have ended.
   void takeOver();
 
  private:
@@ -56,7 +56,7 @@ class DocumentLock {
   std::optional<DocumentOwner> owner_;
 };
 
-/// Where the lock of a document is.
+/// Path of the lock file of a document.
 std::filesystem::path lockOf(const std::filesystem::path& document);
 
 }  // namespace hapticell::workcell

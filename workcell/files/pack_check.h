@@ -9,17 +9,17 @@
 
 namespace hapticell::workcell {
 
-/// Reads the packed document, whose folder is the pack, with all its files again and compares it with the state that
-/// was packed: the same entities in the same places, joints and links with the same triangles within 1e-9 m, sets,
-/// rules, guides and recordings; all files that it names lie inside the pack. Entities that had no shape when they were
-/// packed (Entity::unloaded) need none. `monitor` may be null. Error: the file or entity, and what differs.
+/// Reads the packed document, whose folder is the pack, with all its files and compares it with the packed state: the
+/// same entities at the same poses, joints and links with the same triangles within 1e-9 m, sets, rules, guides and
+/// recordings; all files that it names are inside the pack. Entities that had no shape when they were packed
+/// (Entity::unloaded) need none. `monitor` may be null. Error: the file or entity, and what differs.
 Expected<void> checkPack(const DocumentState& packed, const std::filesystem::path& document, ImportMonitor* monitor);
 
-/// Both files hold the same bytes. Error: names `copy`.
+/// Checks that both files contain the same bytes. Error: names `copy`.
 Expected<void> checkCopy(const std::filesystem::path& copy, const std::filesystem::path& original);
 
-/// Reads an archive to its end: it holds all files below `folder`, each byte of them, and nothing else. Error: names
-/// the file in it, and what differs.
+/// Reads an archive to its end and checks that it contains all files below `folder`, byte for byte, and nothing else.
+/// Error: names the file in it, and what differs.
 Expected<void> checkArchive(const std::filesystem::path& archive, const std::filesystem::path& folder);
 
 }  // namespace hapticell::workcell

@@ -13,7 +13,7 @@ namespace hapticell::workcell {
 /// The JSON of a state, with file names relative to `folder` (absolute).
 Json jsonFromState(const DocumentState& state, const std::filesystem::path& folder);
 
-/// The state that the JSON says, with its meshes and robots read; an error names the entity but not the document's
+/// The state described by the JSON, with its meshes and robots read; an error names the entity but not the document's
 /// file.
 Expected<DocumentState> stateFromJson(const Json& json, const std::filesystem::path& folder, Diagnostics& diagnostics,
                                       const LoadOptions& options);

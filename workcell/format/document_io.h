@@ -21,36 +21,36 @@ struct UnloadedEntity {
   Text remark;  ///< The sentence in the diagnostics.
 };
 
-/// How a document with files that are not there is read.
+/// How to read a document with missing files.
 struct LoadOptions {
-  /// Asked for where a missing file is now, once a file, and not at all for one that stands in a folder that an earlier
-  /// answer moved. Empty answers leave it missing.
+  /// Asked where a missing file is now, once per file, but not for a file in a folder that an earlier answer moved.
+  /// Empty answers leave it missing.
   std::function<std::optional<std::filesystem::path>(const std::filesystem::path& missing)> locate = {};
   /// If an entity's file is missing or broken, the entity is kept as in the document (Entity::unloaded) and reported,
   /// and the reading continues.
   bool keep_unloaded = false;
   /// Receives those entities; may be null.
   std::vector<UnloadedEntity>* unloaded = nullptr;
-  /// Gets the progress of the reading and decides whether to continue; may be null.
+  /// Gets the progress of reading and decides whether to continue; may be null.
   ImportMonitor* monitor = nullptr;
 };
 
 /// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there
-/// is no document at all; the message names file and entity. A newer version than ours is refused. Unknown but harmless
-/// items (a key, a name in a pair set) are reported in `diagnostics`. The document is not dirty and knows its path.
+/// is no document; the message names file and entity. Error also for a version newer than ours. Reports unknown but
+/// harmless items (a key, a name in a pair set) in `diagnostics`. The document is not dirty and knows its path.
 Expected<Document> loadDocument(const std::filesystem::path& path, Diagnostics& diagnostics,
                                 const LoadOptions& options = {});
 
-/// The same from text; files are looked for relative to `folder`, messages use `name`.
+/// The same from text; files are relative to `folder`, messages use `name`.
 Expected<Document> parseDocument(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                                  Diagnostics& diagnostics, const LoadOptions& options = {});
 
-/// The text of a state for a file in `folder` (absolute): the same state gives the same bytes, and reading it gives
-/// that state again.
+/// The text of a state for a file in `folder` (absolute): the same state gives the same bytes, and reading them gives
+/// the same state.
 std::string documentText(const DocumentState& state, const std::filesystem::path& folder);
 
-/// Writes the document aside and moves it into place, so that a failure leaves the old file. Recordings that lie
-/// elsewhere are copied beside it first (gatherRecordings()). On success the document is no longer dirty and has this
+/// Writes the document as a temporary file and moves it to `path`, so that a failure leaves the old file. First copies
+/// recordings from elsewhere next to it (gatherRecordings()). On success the document is no longer dirty and has this
 /// path.
 Expected<void> saveDocument(Document& document, const std::filesystem::path& path);
 

@@ -12,13 +12,13 @@ namespace hapticell::workcell {
 /// "solid", "robot" ...: wordOf() each EntityKind, in its order.
 const std::vector<std::string>& entityKindWords();
 
-/// As OnContact: what "on_contact" says in files.
+/// In the order of OnContact: the values of "on_contact" in files.
 inline const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 
 Json jsonFromEntity(const Entity& entity, const std::filesystem::path& folder);
 
-/// Reads what every entity has (placement, colour, flags, frames, attachment, what it is checked by) and what robots
-/// have, into one whose shape is there. Messages use `place`.
+/// Reads the fields of every entity (placement, colour, flags, frames, attachment, collision shape) and those of robots
+/// into an entity that has its shape. Messages use `place`.
 void readEntityFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

@@ -11,15 +11,15 @@
 
 namespace hapticell::workcell {
 
-/// What the readers of a document's parts share. Everything outlives the reading.
+/// Data that the readers of a document's parts share. All of it outlives the reading.
 struct FormatContext {
   const std::filesystem::path& folder;  ///< Of the document.
   EntityLoader& loader;
   Diagnostics& diagnostics;
   const LoadOptions& options;
-  std::optional<Error>& error;  ///< The first that was found; the rest then has no effect.
+  std::optional<Error>& error;  ///< The first error found; later ones have no effect.
 
-  /// What went wrong with a part, as said of the entity that needs it.
+  /// Records a part's error as an error of the entity that needs the part.
   void failIn(const Text& place, const Error& cause) const {
     Error plain = cause;
     plain.fix = {};

@@ -10,11 +10,11 @@
 
 namespace hapticell::workcell {
 
-/// The words of the kinds in files, in their order: "point", "line" ...
+/// The words for the kinds in files, in the order of the kinds: "point", "line" ...
 const std::vector<std::string>& guideWords();
 
 Json jsonFromGuide(const Guide& guide);
-/// Reads one; what is missing keeps its default. `index` counts from 0, for messages.
+/// Reads one guide; missing fields keep their defaults. `index` counts from 0, for messages.
 Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& error, Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

@@ -8,7 +8,7 @@ namespace hapticell::workcell {
 
 Json jsonFromMechanism(const MechanismDefinition& definition, const std::filesystem::path& folder);
 
-/// The mechanism called `name` with its parts read; Messages use `place`.
+/// Reads the mechanism `name` with its parts. Messages use `place`.
 Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, const Text& place,
                                    const FormatContext& context, SourceReader& sources);
 

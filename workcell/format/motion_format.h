@@ -11,7 +11,7 @@ namespace hapticell::workcell {
 
 /// {"path": [[t, x, y, z], ...], "repeat": "once" | "loop" | "back"}
 Json jsonFromMotion(const ScriptedMotion& motion);
-/// Reads and checks one; `place` is what messages call its entity.
+/// Reads and checks a motion; `place` names its entity in messages.
 ScriptedMotion motionFromJson(const Json& json, const Text& place, std::optional<Error>& error,
                               Diagnostics& diagnostics);
 

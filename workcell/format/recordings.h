@@ -20,13 +20,13 @@ struct GatheredRecordings {
   std::vector<FileToWrite> files;
 };
 
-/// Where recordings of the document at `document` are put: NAME-trajectories beside it.
+/// The folder for recordings of the document at `document`: NAME-trajectories next to it.
 std::filesystem::path recordingsFolder(const std::filesystem::path& document);
 
-/// Brings the recordings of a state that is to be saved at `document` (absolute) together with it, so that it can be
-/// passed on together with the files next to it: those that lie elsewhere than in its folder, or below that, are copied
-/// into recordingsFolder(). Those whose file is missing, or is no recording, are left alone. Writes nothing: the files
-/// are for saving together with the document.
+/// Collects the recordings of a state that is to be saved at `document` (absolute), so that the document can be passed
+/// on together with the files next to it: copies those outside its folder and below into recordingsFolder(). Leaves
+/// those alone whose file is missing or is not a recording. Writes nothing: the files are to be written when the
+/// document is saved.
 GatheredRecordings gatherRecordings(const DocumentState& state, const std::filesystem::path& document);
 
 }  // namespace hapticell::workcell

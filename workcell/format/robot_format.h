@@ -6,10 +6,10 @@
 
 namespace hapticell::workcell {
 
-/// What robots, mechanisms and mannequins have besides: joints, tool, tools, named poses. Nothing for others.
+/// Writes the fields of robots, mechanisms and mannequins: joints, tool, tools, named poses. Does nothing for others.
 void addRobotFields(const Entity& entity, Json& json);
 
-/// Reads them into an entity whose model is there; Messages use `place`.
+/// Reads these fields into an entity that has its model. Messages use `place`.
 void readRobotFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

@@ -12,13 +12,13 @@
 
 namespace hapticell::workcell {
 
-/// A file's name as written in a document in `folder`.
+/// The name of a file as it is written in a document in `folder`.
 std::string relativeName(const std::string& path, const std::filesystem::path& folder);
 
 Json jsonFromSource(const SourceFile& source, const std::filesystem::path& folder);
 Json jsonFromColor(const std::array<float, 3>& color);
 
-/// Reads where shapes come from, asking for files that are no longer there (LoadOptions::locate).
+/// Reads the sources of shapes, and asks for files that no longer exist (LoadOptions::locate).
 class SourceReader {
  public:
   explicit SourceReader(const FormatContext& context) : context_(context) {}

@@ -8,9 +8,9 @@
 
 namespace hapticell::workcell {
 
-/// What is not known is left out.
+/// Leaves out unknown values.
 Json jsonFromWorkTask(const ergonomics::WorkTask& task);
-/// Reads one; what is missing stays unknown. `index` counts from 0, for messages.
+/// Reads a task; missing values stay unknown. `index` counts from 0, for messages.
 ergonomics::WorkTask workTaskFromJson(const Json& json, std::size_t index, std::optional<Error>& error,
                                       Diagnostics& diagnostics);
 

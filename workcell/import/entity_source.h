@@ -15,31 +15,31 @@
 
 namespace hapticell::workcell {
 
-/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
+/// Makes entities from what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
 /// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), a built-in
 /// solid such as "box:X,Y,Z" or "table:" (see builtInParts(); sizes in the given unit), or "frame:" (a frame of the
 /// cell). Files that are named twice are read once. One thread.
 class EntityLoader {
  public:
-  /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
-  /// document), so a size that suggests another unit is no reason to warn. `monitor` (may be null) gets the progress of
-  /// load() and loadSource() and can end them.
+  /// File names are relative to `folder`. `unit_is_stated`: every scale was given explicitly (by a workcell document),
+  /// so there is no warning if a size suggests another unit. `monitor` (may be null) gets the progress of load() and
+  /// loadSource() and can cancel them.
   explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false, ImportMonitor* monitor = nullptr)
       : folder_(std::move(folder)), unit_is_stated_(unit_is_stated), monitor_(monitor) {}
 
-  /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
-  /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
-  /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. Errors
-  /// name what is missing, broken or unknown. A mannequin, "mannequin:SEX:PERCENTILE", has its feet on the floor of its
-  /// own frame.
+  /// One entity with shape, source and a suitable name (the robot's own, else the file's stem); other fields have their
+  /// defaults, joints are empty. `scale` is metres per unit of the file (0: as the file states, else metres); a robot's
+  /// file is always in metres, and another scale for it is an error. A file with a tree becomes one solid. Errors name
+  /// what is missing, broken or unknown. A mannequin, "mannequin:SEX:PERCENTILE", has its feet on the floor of its own
+  /// frame.
   Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
 
-  /// The entity of a source in a document: as load(), but the one part of the file that `source.part` names where it
-  /// does. The parts of one file are read together, once.
+  /// The entity for a source in a document: like load(), but only the part of the file that `source.part` names, if it
+  /// names one. The parts of one file are read together, once.
   Expected<Entity> loadSource(const SourceFile& source, Diagnostics& diagnostics);
 
-  /// All that a file holds, as a tree of entities (parents first) placed in the file's frame, with a report. `monitor`
-  /// may be null. Robots, meshes and built-in shapes are one entity.
+  /// The whole content of a file, as a tree of entities (parents first) placed in the file's frame, with a report.
+  /// `monitor` may be null. Robots, meshes and built-in shapes give one entity.
   Expected<ImportResult> loadTree(const std::string& what, const ImportOptions& options, Diagnostics& diagnostics,
                                   ImportMonitor* monitor = nullptr);
 
@@ -70,16 +70,16 @@ class EntityLoader {
     std::vector<ToolFrame> tools;
     Pose X_FB;
   };
-  std::map<std::string, KnownRobot> robots_;       // By file and arguments.
-  std::vector<xacro::DeclaredArgument> declared_;  // Of the xacro that was read last.
-  std::map<std::pair<MeshPointer, std::pair<bool, double>>, MeshPointer> cared_meshes_;  // By how they were made.
-  std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
+  std::map<std::string, KnownRobot> robots_;                                             // By file and arguments.
+  std::vector<xacro::DeclaredArgument> declared_;                                        // Of the last xacro.
+  std::map<std::pair<MeshPointer, std::pair<bool, double>>, MeshPointer> cared_meshes_;  // By source mesh and options.
+  std::map<std::string, ImportResult> trees_;                                            // By file and reading options.
 };
 
-/// A frame of the cell of that name, standing at X_WE.
+/// A frame of the cell with that name, at X_WE.
 Entity makeFrame(std::string name, const Pose& X_WE);
 
-/// True for a source that is no file: "library:", "mannequin:", "hand:", "frame:", or a built-in solid ("box:",
+/// True for a source that is not a file: "library:", "mannequin:", "hand:", "frame:", or a built-in solid ("box:",
 /// "table:", ...).
 bool isBuiltIn(const std::string& what);
 

@@ -11,40 +11,40 @@
 
 namespace hapticell::workcell {
 
-/// What an import did, for the user to read.
+/// The result of an import, for the user.
 struct ImportReport {
   std::string format;                              ///< "step", "stl", "urdf", ...
-  double metres_per_unit = 1.0;                    ///< As it was read.
-  bool unit_is_stated = true;                      ///< False: the file names none.
-  UpAxis up_axis = UpAxis::kZ;                     ///< The file's.
-  double chord = 0.0;                              ///< Metres; 0 where nothing was cut into triangles.
+  double metres_per_unit = 1.0;                    ///< As used for reading.
+  bool unit_is_stated = true;                      ///< False: the file states no unit.
+  UpAxis up_axis = UpAxis::kZ;                     ///< Of the file.
+  double chord = 0.0;                              ///< Chord error, metres; 0 if nothing was meshed.
   std::size_t parts = 0;                           ///< Solids and robots.
-  std::size_t triangles = 0;                       ///< Of all parts, each use counted.
-  std::size_t merged_vertices = 0;                 ///< Repaired: corners of neighbouring triangles made one.
-  std::size_t degenerate_triangles = 0;            ///< Dropped: no area.
-  std::size_t duplicate_triangles = 0;             ///< Dropped: there twice.
-  std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro: what it asks for, and with what it was read.
-  std::vector<Text> warnings;               ///< All that was dropped, replaced or guessed, a sentence each.
+  std::size_t triangles = 0;                       ///< Of all parts; shared meshes count once per use.
+  std::size_t merged_vertices = 0;                 ///< Repaired: corners of neighbouring triangles were merged.
+  std::size_t degenerate_triangles = 0;            ///< Dropped: zero area.
+  std::size_t duplicate_triangles = 0;             ///< Dropped: duplicates.
+  std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro: what it declares, and the values used for reading.
+  std::vector<Text> warnings;               ///< What was dropped, replaced or guessed, one sentence each.
 };
 
-/// What a file became: entities in the order of the tree, parents before children, with names unique among them, placed
-/// in the file's frame (z up); and the report.
+/// The entities made from a file, in tree order, parents before children, with names unique among them, placed in the
+/// file's frame (z up); and the report.
 struct ImportResult {
   std::vector<Entity> entities;
   ImportReport report;
 };
 
-/// A robot as an entity at the origin, with the tip that a user most likely means; source and tools are left out.
+/// A robot as an entity at the origin, with the tip link that a user most likely means; source and tools are not set.
 Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name);
 
-/// Makes entities of a scene: a solid of every node with a mesh, an assembly of every other one; `merge` makes one
-/// solid named like the file. Empty nodes are left out and reported. `source` is the file; each entity's own source
-/// names its part besides.
+/// Makes entities from a scene: a solid for every node with a mesh, an assembly for every other node; `merge` makes one
+/// solid named after the file. Leaves out empty nodes and reports them. `source` is the file; the source of each entity
+/// also names its part.
 Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& source, const ImportOptions& options,
                                          Diagnostics& diagnostics);
 
-/// Adds what was imported to the document as one step of undo, the file's frame F placed at X_WF. Names that are taken
-/// get a number behind them, `parent`s follow. On error nothing has changed. Gives the ids in the order of the
+/// Adds imported entities to the document as one undo step, with the file's frame F at X_WF. Names that are taken
+/// get a number, and `parent`s are adapted. On error nothing has changed. Returns the ids in the order of the
 /// entities.
 Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Entity> entities, const Pose& X_WF);
 

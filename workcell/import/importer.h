@@ -20,8 +20,8 @@ namespace hapticell::workcell {
 using ImportId = std::uint64_t;
 
 struct ImportRequest {
-  std::string what;              ///< A file or anything else EntityLoader knows.
-  std::filesystem::path folder;  ///< Files are looked for relative to it.
+  std::string what;              ///< A file, or anything else that EntityLoader accepts.
+  std::filesystem::path folder;  ///< File names are relative to it.
   ImportOptions options;
 };
 
@@ -42,19 +42,19 @@ struct ImportStatus {
 /// addImported(). All functions may be called from any thread; none blocks for longer than a lock.
 class Importer {
  public:
-  /// `listener`, where given, is called on the importer's thread whenever a job ended: only wake somebody there.
+  /// Calls `listener`, if given, on the importer's thread whenever a job ends: it should only wake another thread.
   explicit Importer(std::function<void(ImportId)> listener = {});
-  /// Cancels everything and waits for the thread: at most 0.2 s where a process does the work, else for the reading of
-  /// the one file that is being read.
+  /// Cancels everything and waits for the thread: at most 0.2 s if a process does the work, else until the present file
+  /// is read.
   ~Importer();
   Importer(const Importer&) = delete;
   Importer& operator=(const Importer&) = delete;
 
   ImportId start(ImportRequest request);
   ImportStatus status(ImportId id) const;
-  /// A queued one is not begun, a running one is given up; its result is an error that says so. Nothing for others.
+  /// Removes a queued job, or cancels a running one; its result is an error that says so. Does nothing for others.
   void cancel(ImportId id);
-  /// The result, once: empty while the job is not over, and after it was taken.
+  /// The result, once: empty until the job has ended, and after the result was taken.
   std::optional<Expected<ImportResult>> take(ImportId id);
 
  private:
@@ -69,7 +69,7 @@ class Importer {
   std::deque<std::shared_ptr<Job>> queue_;
   ImportId last_id_ = 0;
   bool stopping_ = false;
-  std::thread thread_;  // Last: it uses all the others.
+  std::thread thread_;  // Last: it uses all other members.
 };
 
 }  // namespace hapticell::workcell

@@ -9,7 +9,7 @@
 
 namespace hapticell::workcell {
 
-/// A number of type T from its bytes at the front of `bytes` (at least sizeof(T) of them), in the given byte order.
+/// A number of type T from the first bytes of `bytes` (at least sizeof(T)), in the given byte order.
 template <typename T>
 T readNumber(std::string_view bytes, std::endian order) {
   std::array<char, sizeof(T)> raw;

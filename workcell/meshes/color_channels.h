@@ -13,19 +13,19 @@
 
 namespace hapticell::workcell {
 
-/// Collects colours as files write them, red, green, blue: of 0 to 1 or of 0 to 255. Where the format does not say
-/// which, the greatest number of the file does.
+/// Collects colours from files, as red, green, blue in 0 to 1 or in 0 to 255. If the format does not define which, the
+/// largest number of the file decides.
 class ColorChannels {
  public:
-  /// The colour of element `index`; the elements before it that got none have none. Numbers that are negative or not
-  /// finite are invalid colours and are counted.
+  /// Sets the colour of element `index`; earlier elements without a colour stay without. Numbers that are negative or
+  /// not finite are invalid colours and are counted.
   void set(std::size_t index, const std::array<double, 3>& channels);
 
-  /// A colour each for `count` elements, or nothing where no element has one. `full` is the number for full intensity
-  /// (1); without it 1 where no channel is above 1, else 255. What is above it is cut to 1.
+  /// One colour for each of `count` elements, or an empty list if no element has one. `full` is the number for full
+  /// intensity (1); without it, 1 if no channel exceeds 1, else 255. Larger values are limited to 1.
   std::vector<Color> take(std::size_t count, std::optional<double> full) &&;
 
-  /// Whose colours they are, for the report.
+  /// What has these colours, for the report.
   enum class Of { kVertices, kFaces };
   void report(Of of, Diagnostics& diagnostics) const;
 
@@ -35,7 +35,7 @@ class ColorChannels {
   std::size_t refused_ = 0;
 };
 
-/// The colour of a triangle between corners of these colours: their mean; none where a corner has none.
+/// The colour of a triangle whose corners have these colours: their mean; no colour if a corner has none.
 Color meanColor(std::span<const Color> colors);
 
 }  // namespace hapticell::workcell

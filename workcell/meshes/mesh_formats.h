@@ -8,11 +8,11 @@
 
 namespace hapticell::workcell {
 
-// The readers behind readMeshFile, one a format: content to triangles in the file's own unit with what the file says of
-// names and colours, nothing welded. Errors carry the place but not the file's name. They look at nothing but
+// The readers behind readMeshFile, one per format: from content to triangles in the file's own unit, with the file's
+// names and colours, without welding. Errors have the position but not the file's name. They read nothing but
 // `content`, and allocate no more than its length justifies.
 
-/// True when the length is that of a binary STL: 84 bytes and 50 a triangle.
+/// True if the length is that of a binary STL: 84 bytes plus 50 per triangle.
 bool hasLengthOfBinaryStl(std::string_view content);
 
 Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics& diagnostics);

@@ -9,7 +9,7 @@
 
 namespace hapticell::workcell {
 
-/// A mesh in the frame of the file, with what some formats can say about it besides.
+/// A mesh in the frame of the file, with the data that some formats can store with it.
 struct NamedMesh {
   std::string name;
   geometry::TriangleMesh mesh;
@@ -17,16 +17,16 @@ struct NamedMesh {
 };
 
 // The text or bytes of mesh files. Coordinates are divided by `metres_per_unit`, which a comment states ("units: m";
-// see statedUnit()). Numbers as text are the shortest that give the same double again, '.' as point whatever the
-// locale; binary ones are 32 bits wide (STL, PLY).
+// see statedUnit()). Numbers in text are the shortest that give the same double again, with '.' as decimal point
+// whatever the locale; binary ones have 32 bits (STL, PLY).
 
-/// Binary STL: one soup, no names, no colours.
+/// Binary STL: all triangles in one list, no names, no colours.
 std::string stlBytes(std::span<const NamedMesh> meshes, double metres_per_unit);
-/// Binary little-endian PLY: one soup with a colour at each vertex.
+/// Binary little-endian PLY: all triangles in one list, with a colour at each vertex.
 std::string plyBytes(std::span<const NamedMesh> meshes, double metres_per_unit);
-/// OFF: one soup with a colour at each face.
+/// OFF: all triangles in one list, with a colour at each face.
 std::string offText(std::span<const NamedMesh> meshes, double metres_per_unit);
-/// OBJ with an object a mesh; `material_file` is the name of the file for objMaterials(), or empty.
+/// OBJ with one object per mesh; `material_file` is the name of the file for objMaterials(), or empty.
 std::string objText(std::span<const NamedMesh> meshes, double metres_per_unit, const std::string& material_file);
 std::string objMaterials(std::span<const NamedMesh> meshes);
 

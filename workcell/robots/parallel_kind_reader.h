@@ -11,7 +11,7 @@
 namespace hapticell::workcell {
 
 /// Reads the kinds of a robot.toml with closed loops into a model with its body: Delta, hexapod, a URDF with its loops.
-/// A problem is noted in `common`.
+/// Notes a problem in `common`.
 class ParallelKindReader {
  public:
   ParallelKindReader(RobotTomlCommon& common, kinematics::RobotModel& model, Diagnostics& diagnostics)
@@ -23,7 +23,7 @@ class ParallelKindReader {
 
  private:
   void takeModel(Expected<kinematics::RobotModel> model, const toml::node* at);
-  /// A moving joint becomes a fixed one.
+  /// Turns a moving joint into a fixed one.
   void lock(kinematics::RobotModel& model, const std::string& name, TomlFields& fields);
   void readLoops(const kinematics::RobotModel& tree, std::vector<kinematics::LoopConstraint>& loops);
   void readEnd(const kinematics::RobotModel& tree, TomlFields& fields, const char* key, int& link, Pose& X);

@@ -12,25 +12,25 @@
 
 namespace hapticell::workcell {
 
-/// Colours and proportions of a generated body; no maker's mesh is in the project.
+/// Colours and proportions of a generated body; the project contains no meshes of robot makers.
 struct RobotLook {
   PaintColor main{0.85f, 0.85f, 0.84f, 1.0f};
   PaintColor second{0.20f, 0.22f, 0.25f, 1.0f};
-  double bulk = 1.0;           ///< Thicker or slimmer than usual.
+  double bulk = 1.0;           ///< Above 1: thicker than usual; below 1: slimmer.
   bool balanced = false;       ///< With a counterbalance next to the upper arm.
-  bool round = false;          ///< Closed round housings instead of ribbed castings and outside motors.
-  std::vector<double> side;    ///< Cobots: how far each link stands aside along its own axis, m.
-  std::vector<double> radius;  ///< Cobots: of each joint's housing, m; empty: by size.
+  bool round = false;          ///< Closed round housings instead of ribbed castings and external motors.
+  std::vector<double> side;    ///< For cobots: sideways offset of each link along its own axis, m.
+  std::vector<double> radius;  ///< For cobots: radius of each joint's housing, m; empty: by size.
 };
 
-/// Each gives the links of a model of the kind their shapes: castings, arms, wrists, motors, rods. Coarser shapes are
-/// used for checking. The links' frames are those of the builders in kinematics/.
+/// Each adds shapes to the links of a model of that kind: castings, arms, wrists, motors, rods. Collision shapes are
+/// coarser. The links' frames are those of the builders in kinematics/.
 void addArmBody(kinematics::RobotModel& model, const kinematics::OpwParameters& parameters, const RobotLook& look);
-/// Any serial chain as joint housings and tubes between them.
+/// Any serial chain, as joint housings with tubes between them.
 void addCobotBody(kinematics::RobotModel& model, const RobotLook& look);
-/// R-R-P-R or R-R-R-P with upright axes: column, two arms, quill.
+/// R-R-P-R or R-R-R-P with vertical axes: column, two arms, quill.
 void addScaraBody(kinematics::RobotModel& model, const RobotLook& look);
-/// Prismatic axes first: beams and carriages, then housings.
+/// With prismatic axes first: beams and carriages, then housings.
 void addGantryBody(kinematics::RobotModel& model, const RobotLook& look);
 void addDeltaBody(kinematics::RobotModel& model, const kinematics::DeltaGeometry& geometry, double tool_length,
                   const RobotLook& look);

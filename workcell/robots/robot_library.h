@@ -20,11 +20,11 @@ struct LibraryRobot {
 /// All built-in robots, by name. Files that cannot be read are reported in `diagnostics` and left out.
 std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics);
 
-/// The file of one of them; if the name is unknown, an error that lists some names.
+/// The file of a library robot; if the name is unknown, an error that lists some names.
 Expected<std::filesystem::path> findLibraryRobot(const std::string& name);
 
-/// What the maker allows at the flange, kg, of a robot with that SourceFile::path: as its robot.toml says, built-in or
-/// the user's own. 0 where nothing says it (URDF, SDF, mechanisms). An error where that file is missing or broken.
+/// Payload, kg, of a robot with that SourceFile::path, from its robot.toml, built-in or the user's own. 0 if no payload
+/// is stated (URDF, SDF, mechanisms). Error: the file is missing or broken.
 Expected<double> ratedPayload(const std::string& source);
 
 }  // namespace hapticell::workcell

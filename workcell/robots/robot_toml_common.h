@@ -13,11 +13,11 @@
 
 namespace hapticell::workcell {
 
-/// Which body a robot.toml asks for.
+/// The body that a robot.toml asks for.
 enum class BodyStyle { kOfTheKind, kArm, kCobot, kScara, kGantry, kNone };
 
-/// What robot.toml files of all kinds have in common: the sheet, the look of the body and the data of the joints. The
-/// first problem counts, the rest is then without effect.
+/// The common parts of robot.toml files of all kinds: the data sheet, the look of the body and the data of the joints.
+/// Keeps the first problem; later calls have no effect then.
 class RobotTomlCommon {
  public:
   RobotTomlCommon(const toml::table& root, std::filesystem::path file)
@@ -27,14 +27,14 @@ class RobotTomlCommon {
 
   void readHead();
   void readLook();
-  /// Limits and speeds in degrees, or in the unit of lengths where the joint slides.
+  /// Limits and speeds in degrees, or in the unit of length for sliding joints.
   void readJoints();
-  /// As many joints as the kind has; `slides[k]` gives the unit of joint k. Fills rest().
+  /// Data of as many joints as the kind has; `slides[k]` selects the unit of joint k. Fills rest().
   std::vector<kinematics::JointData> jointData(const std::vector<bool>& slides);
 
   /// Notes `cause` at the line of `at`, unless there is an earlier problem.
   void failWith(const Error& cause, const toml::node* at);
-  /// The first problem, with the file's name. Only where there is one.
+  /// The first problem, with the file's name. Only valid if there is one.
   Error failure() const;
   std::optional<Error>& error() { return error_; }
 
@@ -43,9 +43,9 @@ class RobotTomlCommon {
   const RobotSheet& sheet() const { return sheet_; }
   const RobotLook& look() const { return look_; }
   BodyStyle style() const { return style_; }
-  double unit() const { return unit_; }  ///< m that one unit of length of the file is.
+  double unit() const { return unit_; }  ///< m per unit of length in the file.
   std::size_t jointCount() const { return lower_.size(); }
-  const std::vector<double>& rest() const { return rest_; }  ///< Home position, rad or m; empty where none is given.
+  const std::vector<double>& rest() const { return rest_; }  ///< Home position, rad or m; empty if not given.
 
  private:
   std::optional<Error> error_;

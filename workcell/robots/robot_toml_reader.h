@@ -8,7 +8,7 @@
 
 namespace hapticell::workcell {
 
-/// Reads one robot.toml: what all kinds have in common with RobotTomlCommon, the kinds with SerialKindReader and
+/// Reads one robot.toml: the common parts with RobotTomlCommon, the kinds with SerialKindReader and
 /// ParallelKindReader.
 class RobotTomlReader {
  public:

@@ -7,7 +7,7 @@
 namespace hapticell::workcell {
 
 /// Reads the serial kinds of a robot.toml into a model with its body: OPW parameters, Denavit-Hartenberg tables, chains
-/// of frames. A problem is noted in `common`.
+/// of frames. Notes a problem in `common`.
 class SerialKindReader {
  public:
   SerialKindReader(RobotTomlCommon& common, kinematics::RobotModel& model) : common_(common), model_(model) {}

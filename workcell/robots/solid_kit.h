@@ -9,16 +9,16 @@
 
 namespace hapticell::workcell {
 
-/// Watertight castings, prisms and turned parts of which the bodies of the built-in robots are made. Metres.
+/// Watertight castings, prisms and turned parts for the bodies of the built-in robots. Metres.
 namespace solid {
 
 using Outline = std::vector<glm::dvec2>;
 
-/// Turns (radius, z) points, from the axis at the bottom up the outside to the axis at the top, about z.
+/// Rotates (radius, z) points about z: from the axis at the bottom, up the outside, to the axis at the top.
 geometry::TriangleMesh lathe(const Outline& profile, int segments);
 /// A cylinder about z with chamfered ends.
 geometry::TriangleMesh cylinder(double radius, double z0, double z1, double chamfer, int segments);
-/// A cylinder with round ends whose centres are at z0 and z1.
+/// A cylinder with round ends, whose centres are at z0 and z1.
 geometry::TriangleMesh capsule(double radius0, double radius1, double z0, double z1, int segments);
 /// A counter-clockwise outline from z0 to z1 with chamfered edges.
 geometry::TriangleMesh prism(const Outline& outline, double z0, double z1, double chamfer);
@@ -28,19 +28,19 @@ geometry::TriangleMesh box(const dvec3& least, const dvec3& most, double chamfer
 Outline belt(const glm::dvec2& p0, double r0, const glm::dvec2& p1, double r1, int steps);
 Outline roundedRectangle(double width, double depth, double radius, int steps);
 
-/// Turns that place what was made about z or in the x-y plane: z to x, z to y, and a plate upright (x, y, z) to
-/// (x, -z, y).
+/// Poses that place shapes made about z or in the x-y plane: z to x, z to y, and a plate upright, (x, y, z) to (x, -z,
+/// y).
 Pose alongX(const dvec3& p = dvec3(0.0));
 Pose alongY(const dvec3& p = dvec3(0.0));
 Pose upright(const dvec3& p = dvec3(0.0));
-/// z to the direction.
+/// Turns z to the direction.
 Pose along(const dvec3& p, const dvec3& direction);
 
 }  // namespace solid
 
 using PaintColor = std::array<float, 4>;
 
-/// Collects the parts of links, one shape a colour; fine ones to look at, coarse ones to check.
+/// Collects the parts of links, one shape per colour; fine ones for drawing, coarse ones for checks.
 class BodyMaker {
  public:
   explicit BodyMaker(kinematics::RobotModel& model) : model_(model) {}
@@ -48,18 +48,18 @@ class BodyMaker {
   BodyMaker(const BodyMaker&) = delete;
   BodyMaker& operator=(const BodyMaker&) = delete;
 
-  /// From here on parts go to this link.
+  /// From now on, adds parts to this link.
   void link(int index);
   void link(const std::string& name) { link(model_.findLink(name)); }
 
-  /// Segments of a full circle, and chamfers, while the part is made for the eye or for the check.
+  /// Segments of a full circle, and chamfers, for the drawn or the checked shape.
   struct Detail {
     int segments = 40;
     int steps = 14;
     double chamfer = 1.0;
     bool fine = true;
   };
-  /// Calls `make(detail)` twice, for the visual and for the collision shape. `placed` in the link's frame.
+  /// Calls `make(detail)` twice, for the visual and for the collision shape. `placed` is relative to the link's frame.
   template <typename Make>
   void add(const PaintColor& color, const Pose& placed, const Make& make) {
     append(color, make(Detail{}), placed);

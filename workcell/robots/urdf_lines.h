@@ -10,15 +10,15 @@
 
 namespace hapticell::workcell {
 
-/// Origin of the lines of a URDF text: in the file, or in the files that a xacro was made of.
+/// Origin of the lines of a URDF text: in the file, or in the files from which a xacro was expanded.
 class UrdfLines {
  public:
-  /// `places` (may be null) must outlive it: one for each line of the text.
+  /// `places` (may be null) must outlive it and has one entry per line of the text.
   explicit UrdfLines(std::string file, const std::vector<xacro::Expanded::Place>* places = nullptr)
       : file_(std::move(file)), places_(places) {}
 
   const std::string& file() const { return file_; }
-  /// "line 12", or "arm_macro.xacro, line 12" where it is another file's; line 0: empty.
+  /// "line 12", or "arm_macro.xacro, line 12" for another file; line 0: empty.
   Text words(int line) const {
     const xacro::Expanded::Place* place = placeOf(line);
     if (!place) return line > 0 ? Text("line %1", line) : Text();

@@ -9,9 +9,9 @@
 
 namespace hapticell::workcell {
 
-/// xacro::expand() of a file with the files next to it: includes and YAML are found as meshes are (package_path.h),
-/// only regular files up to 64 MB are read, bytes that are no UTF-8 are taken for Latin-1. An argument that the file
-/// does not ask for is a warning. No program is started.
+/// xacro::expand() of a file together with the files next to it: includes and YAML are found like meshes
+/// (package_path.h); only regular files up to 64 MB are read; bytes that are not UTF-8 are read as Latin-1. An argument
+/// that the file does not declare is a warning. Starts no program.
 Expected<xacro::Expanded> expandXacroFile(const std::filesystem::path& file, const xacro::Arguments& arguments,
                                           std::vector<xacro::DeclaredArgument>& declared, Diagnostics& diagnostics);
 

@@ -11,10 +11,10 @@ namespace hapticell::workcell {
 
 struct ImportProgress {
   Text stage;          ///< "reading", "meshing part 3 of 8, bolt", "checking" ...
-  double share = 0.0;  ///< Of the whole import, 0 to 1, never falling.
+  double share = 0.0;  ///< Of the whole import, 0 to 1, never decreasing.
 };
 
-/// Between the one who imports and the one who waits: progress one way, the wish to stop the other. Any thread.
+/// Connects an import with the code that waits for it: progress one way, the request to cancel the other. Any thread.
 class ImportMonitor {
  public:
   void report(Text stage, double share) {
@@ -23,7 +23,7 @@ class ImportMonitor {
     share = from_ + share * (to_ - from_);
     if (share > progress_.share) progress_.share = share < 1.0 ? share : 1.0;
   }
-  /// From here on 0 to 1 of report() are these shares of the whole: one of several files.
+  /// From now on, 0 to 1 of report() stands for this range of the whole: for one of several files.
   void setRange(double from, double to) {
     const std::lock_guard lock(mutex_);
     from_ = from;

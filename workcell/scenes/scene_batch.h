@@ -11,21 +11,21 @@
 
 namespace hapticell::workcell {
 
-/// The CAD and scene files (holdsScene()) that one robot or cell names: read by one run of the importer's process
-/// instead of one each, whose start would cost more than most of the meshes. One thread.
+/// The CAD and scene files (holdsScene()) that one robot or cell names. One run of the importer's process reads them
+/// all, because starting it for each one would cost more than reading most meshes. One thread.
 class SceneBatch {
  public:
-  /// `monitor` (may be null) gets the progress of all reading here and can end it; it must outlive this.
+  /// `monitor` (may be null) gets the progress of all reading here and can cancel it; it must outlive this object.
   explicit SceneBatch(ImportOptions options, ImportMonitor* monitor = nullptr) : options_(options), monitor_(monitor) {}
 
   const ImportOptions& options() const { return options_; }
   bool isCancelled() const { return monitor_ && monitor_->isCancelled(); }
 
-  /// Reads what of `files` holds a scene, each once. Where the process fails on one of them, nothing is kept and
-  /// scene() reads each by itself, so that only the faulty one is missing. Limits are those of one import.
+  /// Reads those of `files` that hold a scene, each once. If the process fails on one of them, nothing is kept and
+  /// scene() reads each one separately, so that only the faulty one is missing. Limits are those of one import.
   void readAhead(const std::vector<std::filesystem::path>& files);
 
-  /// As readScene() with the options: from what was read ahead, else now. A file's own error is kept.
+  /// Like readScene() with the options: from what was read ahead, else read now. Keeps each file's error.
   Expected<ImportedScene> scene(const std::filesystem::path& file) const;
 
  private:
@@ -34,14 +34,14 @@ class SceneBatch {
   std::map<std::string, Expected<ImportedScene>> known_;
 };
 
-/// What the importer's process leaves for several files: for each, in their order, a scene's bytes or an error
-/// as packed() makes it.
+/// Output of the importer's process for several files: for each, in their order, the bytes of a scene or an error as
+/// packed() writes it.
 struct BatchEntry {
   bool is_scene = false;
   std::string content;
 };
 std::string batchBytes(const std::vector<BatchEntry>& entries);
-/// Exactly `count` entries, or an error: the bytes come from a process that may have gone mad.
+/// Exactly `count` entries, or an error: the bytes cannot be trusted, because the process may have failed.
 Expected<std::vector<BatchEntry>> batchFromBytes(std::string_view bytes, std::size_t count);
 
 }  // namespace hapticell::workcell

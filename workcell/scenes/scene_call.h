@@ -11,15 +11,15 @@
 
 namespace hapticell::workcell {
 
-/// The words after "read FILE" (or "read-all") that pass the options to the importer's process.
+/// The arguments after "read FILE" (or "read-all") that pass the options to the importer's process.
 std::vector<std::string> importerWords(const ImportOptions& options);
 
-/// Bytes of the file that count for its limits: packed ones tenfold. 0 where there is no such file.
+/// Size of the file for its limits, bytes: packed ones count tenfold. 0 if there is no such file.
 std::uintmax_t bytesToRead(const std::filesystem::path& file);
-/// Finer triangles were asked for than usual.
+/// True if the options ask for finer triangles than usual.
 bool isFiner(const ImportOptions& options);
 
-/// The scene of such bytes as readScene() gives it: turned so that z is up. An error names `file`.
+/// The scene from such bytes as readScene() returns it: turned so that z is up. An error names `file`.
 Expected<ImportedScene> uprightScene(std::string_view bytes, const std::filesystem::path& file,
                                      const ImportOptions& options);
 

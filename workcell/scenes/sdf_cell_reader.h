@@ -7,19 +7,19 @@
 
 namespace hapticell::workcell {
 
-/// True for an SDF file that is a cell rather than a robot. A robot is one model with links of its own and a joint that
-/// moves, at the top of the file, in a world or alone in a model, with no other model beside it that has a shape
-/// (a ground plane has none).
+/// True for an SDF file that is a cell and not a robot. A robot is one model with its own links and a moving joint, at
+/// the top of the file, in a world or alone in a model, without another model that has a shape (a ground plane has
+/// none).
 bool isSdfCell(const std::filesystem::path& file);
 
-/// Reads an SDF world or static model (sdformat.org, versions 1.2 to 1.11) as a tree: models, their links where there
-/// are several, and their visual shapes (a link's collision shapes where it has no visual one). libsdformat computes
-/// their poses: frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable
-/// format are in metres; Collada is used unchanged, without its up axis, as in Gazebo. See findSdfFile().
+/// Reads an SDF world or static model (sdformat.org, versions 1.2 to 1.11) as a tree: models, their links if there are
+/// several, and their visual shapes (for a link without one, its collision shapes). libsdformat computes their poses:
+/// frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable format are in
+/// metres; Collada is used unchanged, without its up axis, as in Gazebo. See findSdfFile().
 ///
-/// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are reported; the
-/// rest is read. docs/user/formats.md lists what is ignored, reported and refused. Errors: see SdfSource::load(), cancelled.
-/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (reported).
+/// Missing models and meshes, duplicate names, poses with too few numbers and the like are reported; the rest is read.
+/// docs/user/formats.md lists what is ignored, reported and an error. Errors: see SdfSource::load(), cancelled. A model
+/// with moving joints becomes a robot; a solid if not `with_robots`, or if it cannot become a robot (reported).
 Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor, bool with_robots = true);
 
 }  // namespace hapticell::workcell

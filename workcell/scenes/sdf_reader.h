@@ -16,19 +16,19 @@ struct SdfRobot {
   Pose X_FB;
 };
 
-/// Reads the model of an SDF file that has joints that move (else the first) as a robot: links, visual and collision
-/// shapes, joints that may close loops, with what stands in models inside it ("load::base"). Frames as libsdformat has
-/// them (see SdfSource); meshes in any readable format.
+/// Reads a model of an SDF file as a robot: the one with moving joints, else the first. Reads links, visual and
+/// collision shapes, joints that may close loops, and the content of models inside it ("load::base"). Frames as in
+/// libsdformat (see SdfSource); meshes in any readable format.
 ///
 /// Joints form a graph (a link may be the child of several): a LoopClosure poses the passive links. Universal and
-/// revolute2 joints become two turning ones, each with its own limits, ball joints three, screws a turn and a slide. A
-/// fixed joint to the world makes its link the root; one that moves gives the robot a root "world". A limit that is
-/// left out on one side is open there. Links without a joint are fixed at their poses and reported. The tip is the link
-/// named platform or end effector, else that of the usual rule. `monitor` (may be null) can end the reading of meshes.
+/// revolute2 joints become two revolute ones, each with its own limits; ball joints three; screws a revolute and a
+/// prismatic one. A fixed joint to the world makes its link the root; a moving one adds a root "world". A missing limit
+/// on one side means no limit there. Links without a joint are fixed at their poses and reported. The tip is the link
+/// named platform or end effector, else by the usual rule. `monitor` (may be null) can cancel reading meshes.
 ///
-/// A missing mesh is left out and reported, like all that docs/user/formats.md lists as reported. Errors, one sentence each
-/// with the file: see SdfSource::load(); no model, a joint type that is not known, a joint to a link that is not there,
-/// limits reversed, loops that stay open.
+/// A missing mesh is left out and reported, like all that docs/user/formats.md lists as reported. Errors, one sentence
+/// each with the file: see SdfSource::load(); no model, an unknown joint type, a joint to a link that does not exist,
+/// reversed limits, loops that stay open.
 Expected<SdfRobot> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics,
                            ImportMonitor* monitor = nullptr);
 

@@ -11,10 +11,10 @@
 
 namespace hapticell::workcell {
 
-/// Collada without its up axis, as Gazebo does.
+/// Options for Collada without its up axis, as in Gazebo.
 ImportOptions asGazeboDoes();
 
-/// Makes meshes of the shapes of an SDF file; each mesh file is read once for each way that it is used.
+/// Makes meshes of the shapes of an SDF file; each mesh file is read once for each way of using it.
 class SdfShapes {
  public:
   /// `source` and `monitor` (may be null) must outlive this.

@@ -21,11 +21,11 @@ struct SdfMeshFile {
 /// An SDF file with all models that it takes in, as libsdformat understands it: its frames define all poses. The library
 /// is in the importer's process, which is started for each file.
 ///
-/// Before the library sees the text it is tidied, since the library refuses a whole file for one bad word in what plays
-/// no part here: what has no effect on place, shape or motion is taken out (ContentReport), names that are there twice
-/// get a number, poses that are too short are filled with 0, populations become models, models and meshes that are not
-/// there are left out. All but the first of these are listed in warnings(). A world is put around several models at the
-/// top, or an <include> there.
+/// The text is cleaned up before the library gets it, because the library rejects a whole file for one wrong word in
+/// content that does not matter here: content without effect on pose, shape or motion is removed (ContentReport),
+/// duplicate names get a number, poses that are too short are filled with 0, populations become models, missing models
+/// and meshes are left out. All but the first of these are listed in warnings(). Several models at the top, or an
+/// <include> there, are put into a world.
 class SdfSource {
  public:
   /// Errors: no XML, nested deeper than 200, not SDF, no model in it, a version that the library does not know, those of
@@ -48,13 +48,13 @@ class SdfSource {
 
 /// The top level of an SDF file, read without the library: quick enough for isSdfCell().
 struct SdfOutline {
-  int models = 0;        ///< With a shape that is no plane, at the top.
-  int jointed = 0;       ///< With a joint that moves and links of their own, at the top or alone in a wrapper.
+  int models = 0;        ///< Top-level models with a shape that is not a plane.
+  int jointed = 0;       ///< Those with a moving joint and their own links, at the top or alone in a wrapper.
   bool grouped = false;  ///< A moving joint connects models of a model that has no links.
   bool world = false;
 };
 
-/// Nothing where the file is no SDF. Models that are taken in are looked into.
+/// Empty if the file is not SDF. Also looks into included models.
 std::optional<SdfOutline> outlineOf(const std::filesystem::path& file);
 
 }  // namespace hapticell::workcell

@@ -17,48 +17,48 @@
 
 namespace hapticell::workcell {
 
-/// The link that a model without any is given, since the library refuses it otherwise.
+/// The name of the link that is added to a model without links, which the library would reject.
 constexpr const char* kNoLink = "hapticell_no_link";
 
-/// Makes the text that libsdformat is given of an SDF file: see SdfSource. Models that are taken in are tidied into
-/// files of `folder`, which must stay until the library has read them. Mesh URIs become numbers of meshes().
+/// Makes the text of an SDF file that libsdformat gets: see SdfSource. Included models are written to files in
+/// `folder`, which must exist until the library has read them. Mesh URIs become indices of meshes().
 class SdfTidier {
  public:
   explicit SdfTidier(std::filesystem::path folder) : folder_(std::move(folder)), report_("SDF") {}
 
-  /// Errors: see parseSdf(); more than 200 000 elements, all that is taken in counted as often as it is.
+  /// Errors: see parseSdf(); more than 200 000 elements, counting included models once per use.
   Expected<std::string> tidy(const std::filesystem::path& file);
 
   std::vector<SdfMeshFile>& meshes() { return meshes_; }
-  /// All that was left out or assumed.
+  /// What was left out or assumed.
   std::vector<Text> warnings() const;
 
  private:
-  /// Names that are in use among siblings of one kind.
+  /// Names that are used among siblings of one kind.
   struct Siblings {
     std::set<std::string> names;
-    std::map<std::string, int> last;  // Number that was put behind a name.
-    /// The name, or where it is in use already the name with the next number.
+    std::map<std::string, int> last;  // Number that was appended to a name.
+    /// The name, or if it is used already, the name with the next number.
     std::string own(const std::string& wanted);
   };
-  using Names = std::map<std::string, Siblings>;  // By kind, of one parent.
+  using Names = std::map<std::string, Siblings>;  // By kind, for one parent.
 
   struct Place {
     std::filesystem::path file;
-    int depth = 0;         // How many files deep.
+    int depth = 0;         // Depth of nested files.
     bool lenient = false;  // A version whose elements the table does not list.
   };
-  /// A file that is named but not there.
+  /// A file that is named but does not exist.
   struct Missing {
     Text shown;
     int times = 0;
   };
   struct Taken {
-    std::filesystem::path file;  // Empty: not to be had.
+    std::filesystem::path file;  // Empty: not available.
     std::string name;
     Text why;
-    std::shared_ptr<TiXmlElement> model;  // Where it means the same in any version: it is put in place of the include.
-    std::size_t elements = 0;             // With all that it takes in itself.
+    std::shared_ptr<TiXmlElement> model;  // Set if it means the same in any version: replaces the include.
+    std::size_t elements = 0;             // Including those of the models that it includes.
   };
 
   std::filesystem::path folder_;
@@ -68,14 +68,14 @@ class SdfTidier {
   std::map<std::string, Taken> taken_;
   std::set<std::string> open_;
   std::vector<Text> told_;
-  std::size_t elements_ = 0;  // Of the file that is tidied, with all that it takes in.
+  std::size_t elements_ = 0;  // Of the cleaned file, including all models that it includes.
   std::optional<Error> refused_;
   std::map<std::string, Missing> missing_models_, missing_meshes_;
-  std::set<std::filesystem::path> taken_packages_;  ///< That were reported as guessed.
+  std::set<std::filesystem::path> taken_packages_;  ///< Reported as guessed.
 
-  /// False from where there are more elements than a library should be given.
+  /// False once there are more elements than the library may get.
   bool count(std::size_t elements, const Place& place);
-  /// How many times files are named that are not there, and which.
+  /// Number of references to files that do not exist, and a list of these.
   static std::pair<int, std::vector<Text>> listed(const std::map<std::string, Missing>& missing);
   Place placeOf(TiXmlElement& root, const Place& place);
   void arrangeTop(TiXmlElement& root, const Place& place);

@@ -11,7 +11,7 @@
 
 namespace hapticell::workcell {
 
-/// The root element <sdf> of a file, in `document`. Errors: not readable, no XML, nested deeper than 200, another root.
+/// Reads the root element <sdf> of a file into `document`. Errors: not readable, no XML, over 200 levels, another root.
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document);
 
 /// Text of the first child of that name, trimmed; empty if there is no such child. `parent` may be null.
@@ -22,10 +22,10 @@ std::string textOf(const TiXmlElement& element);
 void setText(TiXmlElement& element, const std::string& text);
 std::string attributeOf(const TiXmlElement& element, const char* name);
 
-/// The numbers of a text as far as they go; "inf" and "nan" are numbers here.
+/// The numbers at the start of a text, up to the first other word; "inf" and "nan" are numbers here.
 std::vector<double> numbersIn(const std::string& text);
 
-/// A joint of the model itself that moves.
+/// True if the model itself has a joint that moves.
 bool hasMovingJoint(const TiXmlElement& model);
 
 }  // namespace hapticell::workcell

@@ -15,12 +15,12 @@ namespace hapticell::workcell {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads the members of one JSON object with checks. A member that is absent leaves its target as it is; a field of the
-/// wrong kind is stored as the error (the first one counts), and later calls have no effect, so the reader need not
-/// check each call.
+/// Reads the members of one JSON object with checks. A missing member leaves its target unchanged. A field of the wrong
+/// kind is stored as the error (the first one counts), and later calls have no effect, so the caller need not check
+/// each call.
 class FieldReader {
  public:
-  /// `object` must outlive this; `place` is what messages call it ("entity 'table'").
+  /// `object` must outlive this; `place` names it in messages ("entity 'table'").
   FieldReader(const Json& object, Text place, std::optional<Error>& error);
 
   void read(const char* key, std::string& target);
@@ -31,14 +31,14 @@ class FieldReader {
   void read(const char* key, std::map<std::string, std::string>& target);  ///< {"name": "text", …}
   /// Exactly `count` finite numbers.
   bool readNumbers(const char* key, std::size_t count, std::vector<double>& target);
-  /// One of the words; `target` becomes its index.
+  /// One of the words; `target` gets its index.
   void readWord(const char* key, const std::vector<std::string>& words, int& target);
-  /// The member where it is of that kind (array or object); null when absent.
+  /// The member if it is of that kind (array or object); null if missing.
   const Json* array(const char* key);
   const Json* object(const char* key);
 
   void require(const char* key);
-  /// Warns of members that nobody asked for: a misspelt key would else be without effect in silence.
+  /// Warns of members that were not read: otherwise, a misspelt key would silently have no effect.
   void warnAboutOthers(Diagnostics& diagnostics) const;
   void fail(const std::string& key, Text found, Text expected);
 
@@ -51,7 +51,7 @@ class FieldReader {
   std::set<std::string> asked_;
 };
 
-/// JSON text with one member a line, and lists of plain values in one line. Ends with a line end.
+/// JSON text with one member per line, and lists of plain values in one line. Ends with a newline.
 std::string prettyText(const Json& value);
 
 Json toJson(const Pose& pose);

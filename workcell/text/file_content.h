@@ -9,8 +9,8 @@
 
 namespace hapticell::workcell {
 
-/// The bytes of a regular file of at most 4 GB. Anything else (missing, a folder, a pipe that would block for ever, a
-/// file that may not be read) is an error that names it.
+/// The bytes of a regular file of at most 4 GB. Anything else (missing, a folder, a pipe that would block forever, a
+/// file without read permission) is an error that names it.
 Expected<std::string> readFileContent(const std::filesystem::path& path);
 
 using hapticell::FileCheck;

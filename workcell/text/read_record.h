@@ -6,8 +6,8 @@
 
 namespace hapticell::workcell {
 
-/// The files that readers of this thread read whole while it lives: what a robot includes, in whatever format. One at a
-/// time (an inner one hides the outer). Files that the importer's process reads are not among them.
+/// The files that readers of this thread read while it exists: what a robot includes, in any format. One at a time (an
+/// inner one hides the outer one). Does not list files that the importer's process reads.
 class ReadRecord {
  public:
   ReadRecord();
@@ -15,9 +15,9 @@ class ReadRecord {
   ReadRecord(const ReadRecord&) = delete;
   ReadRecord& operator=(const ReadRecord&) = delete;
 
-  /// Absolute.
+  /// Absolute paths.
   const std::set<std::filesystem::path>& files() const { return files_; }
-  /// Called by readers; does nothing where no record lives.
+  /// Called by readers; does nothing if no record exists.
   static void note(const std::filesystem::path& file);
 
  private:

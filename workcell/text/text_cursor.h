@@ -12,11 +12,11 @@
 
 namespace hapticell::workcell {
 
-/// Walks through text line by line and word by word without copying. Lines end with LF, CR LF or CR; words are
-/// separated by blanks and tabs. The text must outlive the cursor.
+/// Reads text line by line and word by word without copying. Lines end with LF, CR LF or CR; words are separated by
+/// blanks and tabs. The text must outlive the cursor.
 class TextCursor {
  public:
-  /// kBackslash: a line that ends with '\' goes on in the next (OBJ), but for a comment's '#' that ends with one.
+  /// kBackslash: a line that ends with '\' continues in the next (OBJ), except for a comment ('#').
   enum class Continuation { kNone, kBackslash };
 
   explicit TextCursor(std::string_view text, Continuation continuation = Continuation::kNone);
@@ -27,7 +27,7 @@ class TextCursor {
   std::string_view nextWord();
   /// The next word of this or a later line; empty at the end of the text.
   std::string_view nextWordOfText();
-  /// The rest of this line, without blanks at either end; the line is then used up.
+  /// The rest of this line, without blanks at either end; consumes the line.
   std::string_view restOfLine();
 
   std::size_t lineNumber() const { return line_number_; }
@@ -38,27 +38,27 @@ class TextCursor {
  private:
   std::string_view text_;
   Continuation continuation_;
-  std::size_t next_ = 0;         // Where the next line begins.
+  std::size_t next_ = 0;         // Start of the next line.
   std::size_t line_number_ = 0;  // Counted from 1.
-  std::string_view line_;        // What is left of the current line.
+  std::string_view line_;        // The rest of the current line.
 };
 
-/// A number with '.' as decimal point whatever the locale; the whole word must be one. "nan" and "inf" are numbers
+/// A number with '.' as decimal point whatever the locale; the whole word must be a number. "nan" and "inf" are numbers
 /// here.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
-/// The word in quotes, cut to 40 bytes, with unprintable characters replaced: for messages.
+/// The word in quotes, limited to 40 bytes, with unprintable characters replaced: for messages.
 std::string inQuotes(std::string_view word);
 
-/// Three words as a vertex; an error names the line and the word. Refuses what isUsable refuses.
+/// Reads three words as a vertex; an error names the line and the word. Error also if not isUsable().
 Expected<dvec3> readPoint(TextCursor& cursor);
 
-/// Finite and of a size that arithmetic survives (at most 1e12 in any unit).
+/// Finite and not too large for computations (at most 1e12 in any unit).
 bool isUsable(double coordinate);
 bool isUsable(const dvec3& point);
 
-/// The error for a vertex that is not: "vertex with the coordinate nan".
+/// The error for an unusable vertex: "vertex with the coordinate nan".
 Error unusableCoordinate(Text place, const dvec3& point);
 
 }  // namespace hapticell::workcell

@@ -14,7 +14,7 @@
 namespace hapticell::workcell {
 
 /// Reads the keys of one TOML table with checks; the first fault is stored in `error`, and later calls have no effect.
-/// Numbers must be finite. At the end refuseOthers() names a key that nobody asked for.
+/// Numbers must be finite. At the end, refuseOthers() names a key that was not read.
 class TomlFields {
  public:
   TomlFields(const toml::table& table, std::string section, std::optional<Error>& error)
@@ -23,12 +23,12 @@ class TomlFields {
   bool has(const char* key) const { return table_.contains(key); }
   void read(const char* key, std::string& target);
   void read(const char* key, bool& target);
-  /// The number times `unit`, in [least, most] before that.
+  /// The number times `unit`; the number itself must be in [least, most].
   void read(const char* key, double& target, double unit = 1.0, double least = -1e6, double most = 1e6);
   void readList(const char* key, std::vector<double>& target, double unit = 1.0);
   void readList(const char* key, std::vector<std::string>& target);
   void readPoint(const char* key, dvec3& target, double unit);
-  /// One of the words; its place.
+  /// One of the words; `target` gets its index.
   void readWord(const char* key, const std::vector<std::string>& words, int& target);
   /// "#rrggbb".
   void readColor(const char* key, std::array<float, 4>& target);

@@ -24,7 +24,7 @@ class EntityChoices : public QObject {
  public:
   /// The host must outlive it.
   EntityChoices(Host& host, QVBoxLayout& all, QObject* parent = nullptr);
-  /// As the document has them.
+  /// Shows the choices of the document.
   void show();
 
  private:
@@ -33,7 +33,7 @@ class EntityChoices : public QObject {
   const workcell::Entity* entity() const;
 
   Host& host_;
-  QWidget* feel_;  ///< How it feels and looks; a frame does neither.
+  QWidget* feel_;  ///< How the entity feels and looks; hidden for frames.
   Segmented *on_contact_, *force_class_;
   QComboBox* material_;
   ValueField* mass_;

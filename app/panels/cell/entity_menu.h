@@ -19,7 +19,7 @@ void fillEntityMenu(QMenu& menu, Host& host, const Entities& ids, const std::fun
 /// Actions at an empty place: insert, paste (at `p_W`), select, show and fit all, views.
 void fillFloorMenu(QMenu& menu, Host& host, const dvec3& p_W);
 
-/// Copy and paste of entities (Ctrl+C, Ctrl+V) for the Edit menu; the copies outlive their cell. Made once a window.
+/// Adds copy and paste of entities (Ctrl+C, Ctrl+V) to the Edit menu; copies outlive their cell. Once per window.
 void addCopyAndPaste(Host& host);
 
 }  // namespace hapticell::app

@@ -8,8 +8,8 @@
 
 namespace hapticell::app {
 
-/// The steps of undo as a list: row 0 is the cell as it was opened, each further row a step; those that are undone
-/// stand below the current one until something new is done.
+/// The undo steps as a list: row 0 is the cell as it was opened, each further row one step. Undone steps are below the
+/// current row until something new is done.
 class HistoryModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class HistoryModel : public QAbstractListModel {
   enum Role { kUndoneRole = Qt::UserRole, kCurrentRole };
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  /// Steps that are done: the row that is current.
+  /// Number of steps that are done, which is the current row.
   int current() const { return current_; }
 
  private:

@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
-/// One message as a card: bar and icon by severity, what happened, below it where and what to do.
+/// One message as a card: bar and icon by severity, what happened, and below that where and what to do.
 class MessageCard : public QWidget {
   Q_OBJECT
  public:

@@ -29,18 +29,18 @@ class Segmented;
 class SwatchRow;
 class ValueField;
 
-/// Pose, joints and choices of the selected entity; poses in the world or in a frame that is chosen. Typed values are
-/// commands of the document; shown is where the entity stands now, also while it is held.
+/// Pose, joints and choices of the selected entity; poses in the world or in a chosen frame. Typed values become
+/// commands of the document. The panel shows where the entity is now, even while it is held.
 class PropertiesPanel : public QWidget {
   Q_OBJECT
  public:
   explicit PropertiesPanel(Host& host, QWidget* parent = nullptr);
   ~PropertiesPanel() override;
-  /// Takes the newest numbers; called a few times a second.
+  /// Shows the newest numbers; called a few times a second.
   void showNow();
 
  private:
-  /// Six fields of one pose.
+  /// The six fields of one pose.
   struct PoseBlock {
     QWidget* holder = nullptr;
     QLabel* heading = nullptr;
@@ -65,7 +65,7 @@ class PropertiesPanel : public QWidget {
   Host& host_;
   QLabel* nothing_;
   QWidget* content_;
-  ReferenceChoice* reference_;  ///< What both poses are given in.
+  ReferenceChoice* reference_;  ///< The reference that both poses are given in.
   QWidget* reference_row_;
   PoseBlock tool_, place_;
   FrameFields* frame_;
@@ -73,10 +73,10 @@ class PropertiesPanel : public QWidget {
   QWidget* joints_holder_;
   QVBoxLayout* joints_column_;
   std::vector<JointRow*> rows_;
-  QLabel* configuration_ = nullptr;                    ///< "front · up · no flip"; of the rows.
-  std::unique_ptr<kinematics::InverseModel> inverse_;  ///< Of the tip link; null for long chains.
+  QLabel* configuration_ = nullptr;                    ///< "front · up · no flip".
+  std::unique_ptr<kinematics::InverseModel> inverse_;  ///< For the tip link; null for long chains.
   std::string shown_tip_;
-  std::vector<double> shown_joints_;  ///< Whose configuration is shown.
+  std::vector<double> shown_joints_;  ///< The joint values whose configuration is shown.
   const void* shown_model_ = nullptr;
 };
 

@@ -10,13 +10,13 @@ namespace hapticell::app {
 class Host;
 class WorkcellPanel;
 
-/// The right button's menu in the scene: a short click without a drag, while the mouse does not lead the stylus (its
-/// button is the stylus's then) and nothing is picked. On a part: chooses it, unless it is one of several that are
-/// chosen, and offers what the tree offers; on the floor: insert, paste, views. The scene goes on under it.
+/// The right button's menu in the scene: opened by a short click without a drag, unless the mouse leads the stylus
+/// (whose button it then is) or something is being picked. On a part: selects it, unless it is one of several selected
+/// parts, and offers the entries of the tree; on the floor: insert, paste, views. The scene keeps running under it.
 class SceneMenu : public QObject {
   Q_OBJECT
  public:
-  /// `tree` is where names are edited.
+  /// `tree` edits names.
   SceneMenu(Host& host, WorkcellPanel& tree);
 
  private:

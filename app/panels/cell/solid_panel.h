@@ -21,16 +21,16 @@ class SolidPlace;
 class SwatchRow;
 class ValueField;
 
-/// The dialog of a solid: what it turns about when held (own origin, geometric centre, own frame; all three shown in
-/// the scene), where it stands in the world, in what it hangs on or in a frame, how it feels, what it is checked for.
-/// Follows the selection. Each edit is a command of the document.
+/// The dialog of a solid: what it turns about when held (own origin, geometric centre, own frame; the scene shows all
+/// three), its placement in the world, in its carrier or in a frame, how it feels, what it is checked for. Follows the
+/// selection. Each edit is a command of the document.
 class SolidPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SolidPanel(Host& host, QWidget* parent = nullptr);
-  /// Newest numbers and the marks in the scene; called a few times a second.
+  /// Shows the newest numbers, and the marks in the scene; called a few times a second.
   void showNow();
-  /// The marks alone, where the solid is shown now.
+  /// Shows the marks alone, at the present pose of the solid.
   void showMarks();
 
  private:

@@ -16,16 +16,16 @@ class ReferenceChoice;
 class Segmented;
 class ValueField;
 
-/// The placement of the selected solid: in the world, in what it hangs on, or in a frame. Typed values are commands of
-/// the document. GUI thread.
+/// The placement of the selected solid: in the world, in what it is attached to, or in a frame. Typed values become
+/// commands of the document. GUI thread.
 class SolidPlace : public QObject {
   Q_OBJECT
  public:
   /// The host must outlive it.
   SolidPlace(Host& host, QVBoxLayout& column, QObject* parent = nullptr);
-  /// What its place can be given in, as the document is.
+  /// Updates the list of references from the document.
   void showChoices(const workcell::Entity& solid);
-  /// Where it is shown now.
+  /// Shows the present placement.
   void showNow(const workcell::Entity& solid);
 
  private:
@@ -36,7 +36,7 @@ class SolidPlace : public QObject {
 
   Host& host_;
   Segmented* in_;
-  ReferenceChoice* frame_;  ///< In which frame, where one of the cell is meant.
+  ReferenceChoice* frame_;  ///< The frame, if the placement is given in one of the cell.
   QWidget* frame_row_;
   std::array<ValueField*, 6> fields_{};
 };

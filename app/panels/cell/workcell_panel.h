@@ -20,15 +20,15 @@ class WorkcellTreeView : public QTreeView {
   Q_OBJECT
  public:
   explicit WorkcellTreeView(QWidget* parent = nullptr);
-  /// Where the eye and the lock of a row are, in the viewport's pixels.
+  /// Position of the eye and the lock of a row, in pixels of the viewport.
   QRect eyeRect(const QModelIndex& index) const;
   QRect lockRect(const QModelIndex& index) const;
 
  signals:
   void eyeClicked(const QModelIndex& index);
   void lockClicked(const QModelIndex& index);
-  void removeWanted();        ///< Delete was pressed: what is selected.
-  void moveWanted(int rows);  ///< Alt and an arrow key: the current row goes up (-1) or down (1).
+  void removeWanted();        ///< Delete was pressed: remove the selection.
+  void moveWanted(int rows);  ///< Alt and an arrow key: move the current row up (-1) or down (1).
 
  protected:
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
@@ -40,7 +40,7 @@ class WorkcellTreeView : public QTreeView {
   bool pressedMark(const QPoint& place);
 };
 
-/// The dock's content: filter, tree, in step with the selection of the window.
+/// The content of the dock: filter and tree, synchronized with the selection of the window.
 class WorkcellPanel : public QWidget {
   Q_OBJECT
  public:
@@ -48,17 +48,17 @@ class WorkcellPanel : public QWidget {
   void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) { model_.setSnapshot(snapshot); }
   WorkcellTreeModel& model() { return model_; }
   WorkcellTreeView& tree() { return *tree_; }
-  /// Those of the selected rows and below them.
+  /// The entities of the selected rows and of all rows below them.
   std::vector<workcell::EntityId> chosenEntities() const;
-  /// What can be done with the selected rows; `index` is the one that was pointed at.
+  /// Adds what can be done with the selected rows; `index` is the row under the pointer.
   void fillMenu(QMenu& menu, const QModelIndex& index);
-  /// The row of a motion's frame becomes the current one.
+  /// Makes the row of a motion's frame the current one.
   void chooseFrame(const QString& motion, std::size_t frame);
-  /// Brings the tree to the front and edits the name there.
+  /// Brings the tree to the front and starts editing the name there.
   void rename(workcell::EntityId entity);
 
  signals:
-  /// The menu of a row is about to be shown: whoever knows more of the row adds entries.
+  /// The menu of a row is about to be shown: receivers may add entries.
   void menuFilled(QMenu* menu, const QModelIndex& index);
   /// Delete was pressed on a motion or one of its frames; or Alt and an arrow key on a frame.
   void motionRemoveWanted(const QModelIndex& index);

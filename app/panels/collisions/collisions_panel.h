@@ -21,19 +21,19 @@ class PairSetEditor;
 class RestQuestion;
 class Segmented;
 
-/// Pair sets at the left, editable at any time; at the right what is near now, the set's two columns, or the log of
-/// contacts. Above the pairs it asks what shall become of parts that touch as the cell stands.
+/// Pair sets on the left, editable at any time; on the right what is near now, the set's two columns, or the log of
+/// contacts. Above the pairs, asks what to do about parts that touch at rest.
 class CollisionsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit CollisionsPanel(Host& host, QWidget* parent = nullptr);
   void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
-  /// Contacts and near misses now: the number on the dock's tab.
+  /// Number of present contacts and near misses, shown on the dock's tab.
   int alertCount() const { return alerts_; }
   /// Writes the log as CSV; false, with a message, if the file cannot be written.
   bool saveLog(const QString& path) { return log_page_->save(path); }
   const ContactLog& log() const { return log_page_->log(); }
-  /// Brings up all pairs of what is held, else chosen: against the cell, and a robot's own links and parts.
+  /// Shows all pairs of what is held, else of the selection: with the cell, and among a robot's own links and parts.
   void showPairs();
 
  signals:

@@ -12,37 +12,37 @@
 
 namespace hapticell::app {
 
-/// Something that happened between two things while one of them was moved.
+/// An event between two entities while one of them was moved.
 struct ContactEvent {
   enum class Kind { kNearMissBegan, kContactBegan, kContactEnded, kNearMissEnded };
   Kind kind = Kind::kContactBegan;
-  double time_s = 0.0;  ///< Since the loop was started.
+  double time_s = 0.0;  ///< Since the start of the loop.
   std::string moved, other;
-  double distance = 0.0;    ///< m at that time; ends: the least of all the while.
-  double force_n = 0.0;     ///< On the hand at that time; ends: the greatest of all the while.
-  double duration_s = 0.0;  ///< Ends only.
+  double distance = 0.0;    ///< m at that time; at an end: the smallest one during the event.
+  double force_n = 0.0;     ///< On the hand at that time; at an end: the largest one during the event.
+  double duration_s = 0.0;  ///< At an end only.
 };
 
 /// "Contact began", "Near miss ended" ...
 std::string eventName(ContactEvent::Kind kind);
 
-/// Makes events of snapshots, in the order that RobotStudio's collision sets have: near miss begins, contact begins,
-/// contact ends, near miss ends. An interruption shorter than kPause does not end a contact. The oldest events go when
-/// there are more than kMost; the number of dropped ones is kept. A value; one thread; no Qt.
+/// Derives events from snapshots, in the order of RobotStudio's collision sets: near miss begins, contact begins,
+/// contact ends, near miss ends. An interruption shorter than kPause does not end a contact. Beyond kMost, the oldest
+/// events are dropped and counted. A value; one thread; no Qt.
 class ContactLog {
  public:
-  /// s: an interruption by which a contact does not end: a hand's tremor (8 to 12 Hz) lets go for less. Half: a held
-  /// contact fills the log; twice: two knocks count as one.
+  /// s; an interruption shorter than this does not end a contact: hand tremor (8 to 12 Hz) interrupts it for less.
+  /// Half: a held contact fills the log; twice: two knocks count as one.
   static constexpr double kPause = 0.15;
-  /// Events kept: memory. Half, twice: the oldest go earlier or later.
+  /// Number of events kept, to limit memory. Half, twice: the oldest are dropped earlier or later.
   static constexpr std::size_t kMost = 5000;
   using Namer = std::function<std::string(workcell::EntityId, const std::string& part)>;
 
-  /// Takes a snapshot; one that is not newer than the last is ignored, an older one begins a new loop's time.
+  /// Takes a snapshot; ignores one of the same time as the last. An older one starts the time of a new loop.
   void take(const manipulation::SceneSnapshot& snapshot, const Namer& name_of);
   const std::deque<ContactEvent>& events() const { return events_; }
   std::size_t dropped() const { return dropped_; }
-  /// Grows with each event.
+  /// Number of events so far, including dropped ones.
   std::size_t count() const { return dropped_ + events_.size(); }
   void clear();
 

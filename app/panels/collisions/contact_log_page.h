@@ -16,7 +16,7 @@ class ContactLogPage : public QWidget {
   Q_OBJECT
  public:
   explicit ContactLogPage(Host& host, QWidget* parent = nullptr);
-  /// Takes a picture's contacts; changed() tells when that made events.
+  /// Takes the contacts of a snapshot; emits changed() if there are new events.
   void take(const manipulation::SceneSnapshot& snapshot);
   void clear();
   /// Writes it as CSV; false, with a message, if the file cannot be written.
@@ -34,7 +34,7 @@ class ContactLogPage : public QWidget {
   ContactLogModel model_;
 };
 
-/// The tables of the collisions' dock look alike.
+/// Gives the tables of the collisions' dock the same look.
 void setUpPairTable(QTableView& table, QAbstractItemModel& model);
 
 }  // namespace hapticell::app

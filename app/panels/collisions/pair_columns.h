@@ -15,8 +15,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// One column of a pair set: names of entities, dropped here from the tree or from the other column. Delete takes the
-/// chosen one out.
+/// One column of a pair set: names of entities, dropped here from the tree or from the other column. Delete removes the
+/// chosen one.
 class NameList : public QListWidget {
   Q_OBJECT
  public:
@@ -34,9 +34,9 @@ class NameList : public QListWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The two columns of the chosen set. Entities come by dragging rows of the workcell's tree, by picking in the scene,
-/// or by adding what is selected; each is one command of the document and counts at the next step, also while something
-/// is held. An empty column means everything, and says so.
+/// The two columns of the chosen set. Entities are added by dragging rows of the tree, by picking in the scene, or by
+/// adding the selection; each is one command of the document and takes effect at the next step of the loop, even while
+/// something is held. An empty column means everything, and says so.
 class PairColumns : public QWidget {
   Q_OBJECT
  public:

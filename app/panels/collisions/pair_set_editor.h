@@ -21,14 +21,14 @@ class SwatchRow;
 class ValueField;
 
 /// Pair sets: the list with its switches, add and remove, and the fields of the chosen one: name, near-miss and safety
-/// distance, colours, what happens on contact. Each edit is a command of the document, also while something is held.
+/// distance, colours, contact mode. Each edit is a command of the document, even while something is held.
 class PairSetEditor : public QWidget {
   Q_OBJECT
  public:
   explicit PairSetEditor(Host& host, QWidget* parent = nullptr);
-  /// Name of the chosen set; empty without sets.
+  /// Name of the chosen set; empty if there are no sets.
   QString current() const;
-  /// Contacts and near misses of each set now, beside its name.
+  /// Shows the number of present contacts and near misses next to each set's name.
   void setAlerts(const std::map<QString, int>& alerts);
 
  signals:

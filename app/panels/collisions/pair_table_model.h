@@ -15,22 +15,22 @@
 
 namespace hapticell::app {
 
-/// One line of the collisions table: two entities (or their parts) and how near they are.
+/// One line of the collisions table: two entities (or their parts) and their distance.
 struct PairRow {
   workcell::EntityId moved = 0, other = 0;
-  std::string moved_part, other_part;  ///< Link names; empty: a solid, or all of a robot.
+  std::string moved_part, other_part;  ///< Link names; empty: a solid, or a whole robot.
   QString moved_name, other_name;
   Mark mark = Mark::kNone;
-  bool checked = true;             ///< False: the user leaves the pair out, or both are one body.
-  bool one_body = false;           ///< One is attached to the other: they cannot move against each other.
-  std::optional<double> distance;  ///< Metres; nothing where none was measured.
-  std::array<dvec3, 2> p_W{};      ///< The nearest points, where a distance was measured.
+  bool checked = true;             ///< False: the user excluded the pair, or both are one body.
+  bool one_body = false;           ///< One is attached to the other: they cannot move relative to each other.
+  std::optional<double> distance;  ///< Metres; empty if not measured.
+  std::array<dvec3, 2> p_W{};      ///< The nearest points, if a distance was measured.
   double near_miss = 0.0, safety_distance = 0.0;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
-  bool own_on_contact = false;  ///< The choice is this pair's own.
-  QString set;                  ///< The pair set that counts; empty: none, everything against everything.
+  bool own_on_contact = false;  ///< A pair rule sets the contact mode.
+  QString set;                  ///< The pair set that applies; empty: none, everything is checked against everything.
   bool operator==(const PairRow&) const = default;
-  /// The same pair, whatever its numbers.
+  /// Whether it is the same pair, whatever the numbers.
   bool isSamePair(const PairRow& row) const {
     return moved == row.moved && other == row.other && moved_part == row.moved_part && other_part == row.other_part;
   }
@@ -42,10 +42,10 @@ struct PairSources {
   const std::vector<manipulation::PairState>* at_rest = nullptr;
 };
 
-/// What is checked against `moved` (0: nothing) and against what hangs on it: measured pairs first, nearest first, then
-/// those that are further away than was measured, then those that are left out, by the user or because one is attached
-/// to the other. Every pair reported by the loop has a row, so that list, scene and sound agree. Each pair of entities
-/// stands there at least once; several parts have a row each.
+/// What is checked against `moved` (0: nothing) and what is attached to it: first measured pairs, nearest first; then
+/// pairs too far apart to be measured; then excluded pairs (by the user, or because one is attached to the other).
+/// Every pair reported by the loop has a row, so that list, scene and sound agree. Each pair of entities has at least
+/// one row; several parts have a row each.
 std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
                               workcell::EntityId moved, const workcell::PairDefaults& defaults);
 
@@ -62,17 +62,17 @@ class PairTableModel : public QAbstractTableModel {
   enum Role {
     kMarkRole = Qt::UserRole,
     kShareRole,
-    kThresholdRole,  ///< Shares of the bar's length, 0 .. 1; invalid: none.
+    kThresholdRole,  ///< Fractions of the bar's length, 0 to 1; invalid: none.
     kCheckedRole,    ///< bool
-    kOneBodyRole,    ///< bool: one is attached to the other; there is nothing to switch.
-    kOwnRole         ///< bool: the choice on contact is the pair's own.
+    kOneBodyRole,    ///< bool: one is attached to the other, so there is nothing to switch.
+    kOwnRole         ///< bool: a pair rule sets the contact mode.
   };
   enum class Show { kAll, kContact, kNearMiss };
   using QAbstractTableModel::QAbstractTableModel;
 
   void setRows(std::vector<PairRow> rows);
   void setShow(Show show, const QString& filter);
-  /// How many rows there are of a kind, shown or not; pairs that are left out do not count.
+  /// Number of rows of a kind, shown or not; excluded pairs do not count.
   int count(Show show) const;
   const PairRow& row(int index) const { return rows_[shown_[static_cast<std::size_t>(index)]]; }
   const std::vector<PairRow>& rows() const { return rows_; }

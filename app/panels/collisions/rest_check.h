@@ -17,23 +17,23 @@ class PreparedScene;
 namespace hapticell::app {
 
 /// Measures the present cell in a thread of the pool while nothing is held: distances of the chosen entity, and what
-/// touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
+/// touches. Its owner polls it (GUI thread); it never blocks, and never outlives what it needs.
 class RestCheck {
  public:
-  /// m: farther pairs are not listed; our choice. Half: parts a hand's length away are missing; twice: more pairs, and
-  /// time to measure them.
+  /// m; pairs farther apart are not listed; our choice. Half: parts a hand's length away are missing; twice: more
+  /// pairs, and more time to measure them.
   static constexpr double kMeasured = 0.3;
 
-  /// Starts what is due: distances of `moved` (0: none) when scene or entity are others than the last, touching pairs
-  /// when other entities are in the scene than before, one is attached elsewhere, or askAgain() was called.
+  /// Starts the measurements that are due: distances of `moved` (0: none) if the scene or the entity changed; touching
+  /// pairs if other entities are in the scene, one is attached to something else, or askAgain() was called.
   void watch(const std::shared_ptr<const manipulation::PreparedScene>& scene, workcell::EntityId moved);
-  /// Takes what has become ready; true when there was something.
+  /// Takes the finished results; true if there were any.
   bool takeResults();
-  /// Those of the entity asked for last; empty until they are measured.
+  /// Distances of the entity that was asked for last; empty until they are measured.
   const std::vector<manipulation::PairState>& distances() const { return distances_; }
   /// Pair rules that exclude what touches at rest, once for each finding; empty if there is nothing to ask about.
   std::optional<std::vector<workcell::PairRule>> takeTouching();
-  /// What touches shall be looked for again.
+  /// Makes the next watch() look for touching pairs again.
   void askAgain() { asked_entities_.reset(); }
   bool isBusy() const { return job_ != nullptr; }
 

@@ -12,8 +12,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// Asks what shall become of pairs that touch as the cell stands: left out of the check (a command that can be undone)
-/// or kept. Hidden while there is nothing to ask.
+/// Asks what to do about pairs that touch at rest: exclude them from the check (a command that can be undone) or keep
+/// them. Hidden while there is nothing to ask.
 class RestQuestion : public QFrame {
   Q_OBJECT
  public:

@@ -10,36 +10,36 @@
 
 namespace hapticell::app {
 
-// What the tree does with entities, each one step of undo. Entities below those that are named are meant too. False
-// where the document refused it (it is then as it was) or there is nothing to do.
+// What the tree does with entities, each as one undo step. Entities below the given ones are included. Functions return
+// false if the document refused the change (it is then unchanged) or if there is nothing to do.
 
 using Entities = std::vector<workcell::EntityId>;
 
-/// Those of `ids` and all that stands below them, each once, parents first.
+/// The entities of `ids` and all below them, each once, parents first.
 Entities withBelow(const workcell::DocumentState& state, const Entities& ids);
 
 bool showEntities(DocumentModel& document, const Entities& ids, bool shown);
 bool lockEntities(DocumentModel& document, const Entities& ids, bool locked);
 bool checkEntities(DocumentModel& document, const Entities& ids, bool checked);
 bool colorEntities(DocumentModel& document, const Entities& ids, const std::array<float, 3>& color);
-/// Hides all others.
+/// Hides all other entities.
 bool isolateEntities(DocumentModel& document, const Entities& ids);
 bool showAll(DocumentModel& document);
 bool removeEntities(DocumentModel& document, const Entities& ids);
-/// Copies next to the originals, along x; gives the new ones, those of the top first.
+/// Copies entities next to the originals, along x; returns the new ones, top-level ones first.
 Entities duplicateEntities(DocumentModel& document, const Entities& ids);
-/// Copies as values, of those and all below them; attachments are not kept.
+/// Copies of these entities and all below them, as values; attachments are not kept.
 std::vector<workcell::Entity> copiesOf(const workcell::DocumentState& state, const Entities& ids);
-/// Puts copies into the cell: the middle of the floor under them at `p_W`, or beside where they stood. Gives the new
-/// ones.
+/// Adds copies to the cell: with their middle above or below `p_W`, or next to the originals. Returns the new
+/// entities.
 Entities pasteEntities(DocumentModel& document, std::vector<workcell::Entity> copies, const std::optional<dvec3>& p_W);
-/// Attached to a robot's tip, or to a part as it stands.
+/// Attaches entities to a robot's tip, or to a part; they keep their pose.
 bool attachEntities(DocumentModel& document, const Entities& ids, workcell::EntityId to);
 bool detachEntities(DocumentModel& document, const Entities& ids);
-/// An entity's own frame (Entity::frames) gets another name, or goes.
+/// Renames, or removes, an entity's own frame (Entity::frames).
 bool renameOwnFrame(DocumentModel& document, workcell::EntityId entity, const QString& frame, const QString& name);
 bool removeOwnFrame(DocumentModel& document, workcell::EntityId entity, const QString& frame);
-/// Puts them below `parent` (an entity's or a folder's name; empty: at the top). They stay where they stand.
+/// Moves entities below `parent` (an entity's or a folder's name; empty: top level). Their poses do not change.
 bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent);
 
 }  // namespace hapticell::app

@@ -11,18 +11,18 @@
 
 namespace hapticell::app {
 
-/// A frame of a trajectory as a row below it, standing for the way on to the next row.
+/// A frame of a trajectory as a row below it; it also stands for the path to the next row.
 struct TreeMotionFrame {
-  QString name;             ///< "Frame 12 · 0.11 s", or the point's own name in front.
-  QString own_name;         ///< What users call the point; empty: nothing.
-  std::size_t frame = 0;    ///< Its index.
+  QString name;             ///< "Frame 12 · 0.11 s", preceded by the waypoint's own name, if any.
+  QString own_name;         ///< The user's name for the waypoint; empty: none.
+  std::size_t frame = 0;    ///< Its index in the trajectory.
   QString finding;          ///< What a check found there; empty: nothing.
-  Mark mark = Mark::kNone;  ///< The strongest of it.
+  Mark mark = Mark::kNone;  ///< The strongest mark of these findings.
   bool checked = false;
   bool operator==(const TreeMotionFrame&) const = default;
 };
 struct TreeMotionRows {
-  std::string entity;  ///< Whose motion it is; its row stands below that one's.
+  std::string entity;  ///< The entity that moves; the motion's row is below the row of this entity.
   std::vector<TreeMotionFrame> frames;
   bool operator==(const TreeMotionRows&) const = default;
 };
@@ -46,10 +46,10 @@ struct TreeRow {
   Kind kind = Kind::kEntity;
   QString name, part;
   workcell::EntityId entity = 0;
-  int parent = -1, row = 0;  ///< Index of the row above; place among that one's children.
+  int parent = -1, row = 0;  ///< Index of the parent row; position among its children.
   std::vector<int> children;
   Mark mark = Mark::kNone;
-  const TreeMotionFrame* frame = nullptr;  ///< In the motions that the rows were built of.
+  const TreeMotionFrame* frame = nullptr;  ///< In the motions that the rows were built from.
   /// Whether it is the same row, whatever its marks and children.
   bool operator==(const TreeRow& other) const {
     return kind == other.kind && name == other.name && part == other.part && entity == other.entity &&
@@ -57,18 +57,18 @@ struct TreeRow {
   }
 };
 
-/// Which rows the tree has, from the document; without marks of a snapshot. GUI thread.
+/// Determines the rows of the tree from the document, without the marks of a snapshot. GUI thread.
 class WorkcellTreeRows {
  public:
   /// Both must outlive it; the rows point into `motions`.
   WorkcellTreeRows(const DocumentModel& document, const TreeMotionFrames& motions)
       : document_(document), motion_frames_(motions) {}
-  /// The cell first; parents before their children.
+  /// The rows, the cell first, parents before their children.
   std::vector<TreeRow> build();
 
  private:
-  using Motions = std::multimap<std::string, const workcell::TrajectoryReference*>;  // By the name of whose they are.
-  using Children = std::multimap<std::string, const workcell::Entity*>;  // By the name of what they stand below.
+  using Motions = std::multimap<std::string, const workcell::TrajectoryReference*>;  // By the name of the moved entity.
+  using Children = std::multimap<std::string, const workcell::Entity*>;              // By the name of the parent.
   int append(int parent, TreeRow row);
   void appendEntity(int parent, const workcell::Entity& entity);
   void appendMotion(int parent, const workcell::TrajectoryReference& motion);

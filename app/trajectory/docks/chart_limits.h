@@ -8,13 +8,13 @@
 
 namespace hapticell::app {
 
-/// s in which an acceleration is reached, where no jerk is given; our choice. Half: twice the jerk passes for kept;
-/// twice: half of it is drawn as over.
+/// s; time to reach an acceleration if no jerk limit is given; our choice. Half: twice the jerk counts as within
+/// limits; twice: half of it is shown as exceeded.
 inline constexpr double kUsualRamp = 0.1;
 
-/// What the curves of an entity's motion are held against: a robot's joint limits and speeds, accelerations as
-/// limitsOf() has them, jerk as acceleration over kUsualRamp; of a solid the same for x, y, z and the turns, without
-/// places.
+/// Limits for the curves of an entity's motion: for a robot its joint limits and speeds, accelerations as limitsOf()
+/// has them, jerk as acceleration over kUsualRamp; for a solid the same for x, y, z and the turns, without position
+/// limits.
 std::vector<MotionChart::Limit> chartLimits(const workcell::Entity& entity, const trajectory::Trajectory& trajectory);
 
 }  // namespace hapticell::app

@@ -13,15 +13,15 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// How far an edited path may leave the recorded one. GUI thread.
+/// How far an edited path may deviate from the recorded one. GUI thread.
 class CleanFields : public QObject {
   Q_OBJECT
  public:
   explicit CleanFields(QVBoxLayout& section, QObject* parent = nullptr);
 
-  /// A joint may move a tool a metre away by as much.
+  /// The joint tolerance is the turn that moves a tool at 1 m by the path tolerance.
   trajectory::PathTolerance tolerance() const;
-  bool keepsFree() const;  ///< Of collisions.
+  bool keepsFree() const;  ///< From collisions.
   QWidget* firstRow() const { return first_row_; }
 
  private:

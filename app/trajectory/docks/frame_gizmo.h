@@ -11,16 +11,16 @@ namespace hapticell::app {
 
 class Host;
 
-/// Arrows and rings at a frame of a motion, to drag it elsewhere in the scene. GUI thread.
+/// Arrows and rings at a frame of a motion, for dragging it in the scene. GUI thread.
 class FrameGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
   explicit FrameGizmo(Host& host, QObject* parent = nullptr);
   ~FrameGizmo() override;
 
-  /// Where the frame stands; nothing: the gizmo is gone.
+  /// Sets the pose of the frame; empty: hides the gizmo.
   void setFrame(const std::optional<Pose>& X_WT);
-  /// Takes a drag back; false where none is.
+  /// Reverts a drag; false if nothing is dragged.
   bool cancel();
 
   bool press(const PointerEvent& event) override;
@@ -30,8 +30,8 @@ class FrameGizmo final : public QObject, public PointerTool {
   QString hint() const override;
 
  signals:
-  void dragged(const hapticell::Pose& X_WT);  ///< On the way.
-  void dropped(const hapticell::Pose& X_WT);  ///< At its end.
+  void dragged(const hapticell::Pose& X_WT);  ///< During a drag.
+  void dropped(const hapticell::Pose& X_WT);  ///< At the end of a drag.
 
  private:
   Gizmo gizmoAt(const Pose& X_WT, const Camera& camera, const ViewSize& view) const;

@@ -11,10 +11,10 @@
 
 namespace hapticell::app {
 
-/// Position, speed, acceleration or jerk of the current motion over the time bar's axis, or all four one below the
-/// other, with limits where there are some and the cursor's values. The curves of one plot share its scale; how much of
-/// their limits they use at most stands in it, and where a limit is passed the curve lies under a band in the limit's
-/// colour.
+/// Position, speed, acceleration or jerk of the current motion over the time bar's axis, or all four in separate
+/// plots, with limits if there are any and the values at the cursor. The curves of one plot share a scale; the
+/// plot shows the largest use of their limits, and a band in the limit's colour marks where a curve exceeds its
+/// limit.
 class MotionChart : public QWidget {
   Q_OBJECT
  public:
@@ -24,12 +24,12 @@ class MotionChart : public QWidget {
   explicit MotionChart(QWidget* parent = nullptr);
   /// Null: nothing is shown.
   void setCurves(std::shared_ptr<const trajectory::MotionCurves> curves);
-  /// Bounds of a curve and of its three derivatives by its name; 0, or an infinite place: none.
+  /// Bounds of a curve and of its three derivatives, by the curve's name; 0, or an infinite position: no bound.
   struct Limit {
     std::string curve;
     double speed = 0.0, acceleration = 0.0, jerk = 0.0;
     double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
-    bool slides = false;  ///< A sliding joint: metres, no angle.
+    bool slides = false;  ///< A sliding joint: metres, not an angle.
   };
   void setLimits(std::vector<Limit> limits);
   void setChoice(Group group, Order order);
@@ -37,8 +37,8 @@ class MotionChart : public QWidget {
   void setTime(double t);
   Group group() const { return group_; }
   Order order() const { return order_; }
-  /// Largest share of a limit that a shown curve uses, a place counted from the middle of its range; 0 where there is
-  /// no limit.
+  /// Largest fraction of a limit that a shown curve uses, with positions relative to the middle of their range; 0
+  /// without a limit.
   double limitUse() const;
   QSize minimumSizeHint() const override { return {320, 70}; }
   QSize sizeHint() const override { return {900, 140}; }
@@ -55,19 +55,19 @@ class MotionChart : public QWidget {
   struct Shown {
     const trajectory::MotionCurve* curve = nullptr;
     const std::vector<double>* samples = nullptr;
-    double lowest = 0.0, highest = 0.0;  ///< Its limits in SI, infinite where it has none.
-    double factor = 1.0;                 ///< Shown units by SI.
+    double lowest = 0.0, highest = 0.0;  ///< Limits in SI, infinite without limits.
+    double factor = 1.0;                 ///< Shown units per SI unit.
     QString unit;
     QColor color;
     Qt::PenStyle style = Qt::SolidLine;
   };
   std::vector<Shown> shown(Order order) const;
   Shown shownCurve(const trajectory::MotionCurve& curve, Order order) const;
-  /// The orders that have a plot, and where each stands.
+  /// The orders that have a plot, and the plots' positions.
   std::vector<std::pair<Order, QRect>> plots() const;
   static double limitUse(const std::vector<Shown>& curves);
   struct Scale {
-    double low = -1.0, high = 1.0;  ///< Shown units.
+    double low = -1.0, high = 1.0;  ///< In shown units.
     QRect plot;
     double y(double value) const;
   };

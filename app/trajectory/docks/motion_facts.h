@@ -13,18 +13,18 @@ namespace hapticell::app {
 
 class MotionList;
 
-/// Name and facts of the current motion, what came of the last edit, and how far a longer one is. GUI thread.
+/// Name and facts of the current motion, the result of the last edit, and the progress of a longer one. GUI thread.
 class MotionFacts : public QObject {
   Q_OBJECT
  public:
   /// Adds name and facts. The list must outlive it.
   MotionFacts(MotionList& list, QVBoxLayout& section, QObject* parent = nullptr);
-  /// Adds the line of results and the bar of progress below what was added meanwhile.
+  /// Adds the line of results and the progress bar below what was added in between.
   void addResult(QVBoxLayout& section);
 
   void show();
   void showLine(const QString& line, bool careful);
-  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
+  void markMissed();  ///< Makes the shown result red, because it missed what was asked, until the next one.
 
  private:
   void showProgress();

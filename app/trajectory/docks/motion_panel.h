@@ -27,7 +27,7 @@ class RecordingFields;
 class TimingFields;
 class ValueField;
 
-/// The dock *Motion*: how is recorded, and all that can be done with the current motion. Every edit gives a copy.
+/// The dock *Motion*: how to record, and everything that can be done with the current motion. Every edit makes a copy.
 class MotionPanel : public QWidget {
   Q_OBJECT
  public:
@@ -40,17 +40,17 @@ class MotionPanel : public QWidget {
   };
   explicit MotionPanel(const Parts& parts, QWidget* parent = nullptr);
 
-  /// As the user chose it.
+  /// The user's choices for recording.
   manipulation::command::StartRecording recordingWanted() const;
   void showLine(const QString& line, bool careful);
-  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
+  void markMissed();  ///< Makes the shown result red, because it missed what was asked, until the next one.
   void setFrame(std::optional<std::size_t> frame);
   std::optional<std::size_t> frame() const { return frame_; }
-  /// Seconds about a moved frame that go along with it.
+  /// Seconds before and after a moved frame that move along with it.
   double reach() const;
   void smooth();
   void trim();
-  /// Brings a section into view: "Clean", "Export" ...
+  /// Scrolls to a section: "Clean", "Export" ...
   void showSection(const QString& heading);
 
  signals:

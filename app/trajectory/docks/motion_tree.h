@@ -14,9 +14,9 @@ class MotionWork;
 class WorkcellPanel;
 struct Motion;
 
-/// The motions in the tree of the workcell: each below what it moves, its points below it. A click shows one, the menu,
-/// keys and drags edit them: a program, all of whose points somebody set, in its place, a recording as a copy; names of
-/// points in the place of either. Each is one step of undo. GUI thread.
+/// The motions in the tree of the workcell: each below the entity that it moves, with its frames below it. A click
+/// shows a motion; menu, keys and drags edit it: a program (all frames set by hand) in place, a recording as a copy;
+/// names of waypoints in place for both. Each edit is one undo step. GUI thread.
 class MotionTree : public QObject {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class MotionTree : public QObject {
 
  signals:
   void frameChosen(std::size_t frame);  ///< Of the current motion.
-  void editorWanted();                  ///< The dock with all that can be done with a motion.
+  void editorWanted();                  ///< Asks for the dock with everything that can be done with a motion.
   void told(const QString& line, bool careful);
 
  private:

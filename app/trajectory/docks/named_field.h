@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// A field of a number with an object name, as it begins.
+/// A number field with an object name and an initial value.
 inline ValueField* namedField(const char* name, const ValueField::Format& format, double value) {
   auto* made = new ValueField(format);
   made->setObjectName(name);

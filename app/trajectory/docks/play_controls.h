@@ -13,18 +13,18 @@ namespace hapticell::app {
 
 class MotionPlayer;
 
-/// A flat button of the row above the time bar; with a word, it stands beside the picture.
+/// A flat button of the row above the time bar; `word`, if any, is next to the picture.
 QToolButton* transportButton(const char* name, const QString& picture, const QString& tip, const QString& word = {});
 
-/// The buttons that play the current motion, and the speed of the play. GUI thread.
+/// The buttons that play the current motion, and the playback speed. GUI thread.
 class PlayControls : public QObject {
   Q_OBJECT
  public:
   /// The player must outlive it.
   explicit PlayControls(MotionPlayer& player, QObject* parent = nullptr);
-  /// From left to right, for the row that takes them.
+  /// The widgets from left to right, for the row that contains them.
   std::vector<QWidget*> widgets() const;
-  /// As the player is now.
+  /// Shows the present state of the player.
   void show();
 
  private:

@@ -15,7 +15,7 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// As what the current motion is exported, and what a robot program is written with. GUI thread.
+/// The format for exporting the current motion, and the options of a robot program. GUI thread.
 class ProgramFields : public QObject {
   Q_OBJECT
  public:

@@ -14,23 +14,23 @@ namespace hapticell::app {
 class Host;
 class StripChart;
 
-/// Force and gap of what is being recorded, in the chart's place while a stylus is connected. GUI thread.
+/// Force and clearance of the running recording, in place of the chart while a stylus is connected. GUI thread.
 class RecordedStrip : public QObject {
   Q_OBJECT
  public:
   /// The host must outlive it.
   explicit RecordedStrip(Host& host, QObject* parent = nullptr);
   QWidget* chart() const;
-  /// A recording goes on since so many seconds, or none does. Whether the strip is shown now.
+  /// Sets how many seconds a recording has been running; empty: none. Returns whether the strip is shown now.
   bool show(std::optional<double> seconds, const TimeAxis& axis);
-  /// The time bar's axis is another.
+  /// Sets another axis of the time bar.
   void lay(const TimeAxis& axis);
 
  private:
   Host& host_;
   StripChart* chart_;
   QTimer timer_;
-  double from_s_ = 0.0;  ///< The snapshots' time at which the recording began.
+  double from_s_ = 0.0;  ///< Snapshot time at which the recording began.
 };
 
 }  // namespace hapticell::app

@@ -14,13 +14,13 @@ namespace hapticell::app {
 class ValueField;
 class Segmented;
 
-/// How the next motion is recorded: a frame by time, by distance, by hand, or at every step. GUI thread.
+/// How to record the next motion: a frame by time, by distance, by hand, or at every step. GUI thread.
 class RecordingFields : public QObject {
   Q_OBJECT
  public:
   explicit RecordingFields(QVBoxLayout& section, QObject* parent = nullptr);
 
-  /// As the user chose it.
+  /// The user's choices.
   manipulation::command::StartRecording wanted() const;
   double interval() const;  ///< Seconds between frames by time.
 

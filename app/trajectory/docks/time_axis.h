@@ -5,10 +5,10 @@
 
 namespace hapticell::app {
 
-/// Seconds along pixels: one for the time bar and for the curves below it, so that they share the cursor. A value.
+/// Relates time to pixels, for the time bar and for the curves below it, so that they share the cursor. A value.
 struct TimeAxis {
   double left = 0.0, right = 1.0;  ///< Pixels of the drawn range.
-  double begin = 0.0, end = 1.0;   ///< Seconds at these.
+  double begin = 0.0, end = 1.0;   ///< Seconds at these pixels.
 
   double x(double t) const { return left + (t - begin) / (end - begin) * (right - left); }
   double t(double x) const { return begin + (x - left) / (right - left) * (end - begin); }
@@ -18,9 +18,9 @@ struct TimeAxis {
     double t = 0.0;
     bool named = false;
   };
-  /// Round times inside the range, named ones at least 60 pixels apart.
+  /// Round times inside the range; those with a label are at least 60 pixels apart.
   std::vector<Tick> ticks() const;
-  /// `factor` > 1 shows less time about `t`; never less than 10 ms.
+  /// `factor` > 1 shows a shorter range around `t`; never less than 10 ms.
   TimeAxis zoomed(double factor, double t) const;
 };
 

@@ -11,34 +11,34 @@ namespace hapticell::app {
 
 struct Theme;
 
-/// Motions as rows over one time axis, with the cursor, frames as dots and what a check found. A drag scrubs; a click
-/// on a row chooses its motion, on its circle at the left whether it is played; Ctrl and the wheel zoom, the wheel
-/// shifts; the brackets in the ruler are dragged to choose a part. Left and right go from frame to frame.
+/// Motions as rows over one time axis, with the cursor, frames as dots and findings of checks. A drag scrubs; a click
+/// on a row makes its motion the current one, a click on its circle at the left switches its playing; Ctrl and the
+/// wheel zoom, the wheel scrolls; dragging the brackets in the ruler selects a section. Left and right step by frame.
 class TimeBar : public QWidget {
   Q_OBJECT
  public:
   explicit TimeBar(QWidget* parent = nullptr);
 
-  /// Widths of the names at the left and of the free room at the right, in pixels: curves below use the same.
+  /// Widths of the names on the left and of the free space on the right, in pixels; the curves below use the same.
   static constexpr int kNames = 196, kRightRoom = 60;
   static constexpr int kRuler = 30, kRow = 24;
 
   void setRows(std::vector<TrackRow> rows);
   const std::vector<TrackRow>& rows() const { return rows_; }
   void setTime(double t);
-  /// The chosen part, in seconds; nothing: all.
+  /// The selected section, in seconds; empty: all.
   struct Part {
     double from = 0.0, to = 0.0;
   };
   void setPart(const std::optional<Part>& part);
   const std::optional<Part>& part() const { return part_; }
-  /// Seconds recorded so far, while something is being recorded: the axis grows with it.
+  /// Sets the seconds recorded so far, during a recording: the axis grows with it.
   void setRecorded(std::optional<double> seconds);
-  /// The frame that is worked on; nothing: none.
+  /// Sets the frame that is being edited; empty: none.
   void setFrame(std::optional<std::size_t> frame);
 
   TimeAxis axis() const;
-  /// All of the motions again.
+  /// Shows the whole of the motions again.
   void showAll();
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {480, kRuler + 2 * kRow}; }
@@ -78,7 +78,7 @@ class TimeBar : public QWidget {
   std::optional<Part> part_;
   std::optional<double> recorded_;
   std::optional<std::size_t> frame_;
-  double begin_ = 0.0, end_ = 1.0;  ///< Shown.
+  double begin_ = 0.0, end_ = 1.0;  ///< The shown range.
   bool zoomed_ = false;
   int first_row_ = 0;
   enum class Drag { kNone, kScrub, kFrom, kTo } drag_ = Drag::kNone;

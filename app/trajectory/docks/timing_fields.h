@@ -13,13 +13,13 @@ namespace hapticell::app {
 
 class ValueField;
 
-/// Which times the current motion gets along its path, and how fast. GUI thread.
+/// How to time the current motion along its path, and how fast. GUI thread.
 class TimingFields : public QObject {
   Q_OBJECT
  public:
   explicit TimingFields(QVBoxLayout& section, QObject* parent = nullptr);
 
-  /// As it was recorded, with frames at even times; else by options().
+  /// True: recorded times, with frames at equal intervals; false: times by options().
   bool isAsRecorded() const;
   trajectory::RetimingOptions options() const;
   double speed() const;  ///< m/s.

@@ -33,15 +33,15 @@ class TrajectoryPanel : public QWidget {
     std::size_t frames = 0, by_hand = 0;
   };
   void showRecording(const std::optional<Recording>& recording);
-  /// What an edit did, until the next.
+  /// Shows what an edit did, until the next edit.
   void showLine(const QString& line, bool careful);
-  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
-  /// The frame of the current motion that is worked on.
+  void markMissed();  ///< Makes the shown result red, because it missed what was asked, until the next one.
+  /// Sets the frame of the current motion that is being edited.
   void setFrame(std::optional<std::size_t> frame);
 
  signals:
   void recordWanted();
-  void editWanted();  ///< The panel with what can be done.
+  void editWanted();  ///< Asks for the panel for editing.
   void smoothWanted();
   void checkWanted();
   void exportWanted();
@@ -61,12 +61,12 @@ class TrajectoryPanel : public QWidget {
   MotionPlayer& player_;
   TimeBar* bar_;
   MotionChart* chart_;
-  RecordedStrip* live_;  ///< In the chart's place.
+  RecordedStrip* live_;  ///< In place of the chart.
   PlayControls* play_;
   QToolButton *record_, *trim_, *smooth_, *check_, *export_, *edit_;
   QComboBox *group_, *order_;
   QLabel* info_;
-  bool recording_ = false, slow_told_ = false;  ///< Reported once a play.
+  bool recording_ = false, slow_told_ = false;  ///< Reported once per playback.
   std::shared_ptr<const trajectory::Trajectory> shown_motion_;
 };
 

@@ -11,11 +11,11 @@
 
 namespace hapticell::app {
 
-/// Measures on a file what was asked of the motion in it (trajectory/checks/motion_promises.h).
+/// Measures whether the motion in a file meets what was asked (trajectory/checks/motion_promises.h).
 using MeasureMotion = std::function<Expected<Promises>(const std::filesystem::path& written)>;
 
-/// The promise that a motion misses, as its file would be read back: written aside, read, measured and removed. Nothing
-/// where all are kept. Any thread.
+/// The promise that a motion would miss if its file were read back: writes a temporary file, reads and measures it, and
+/// removes it. Empty if all promises are kept. Any thread.
 std::optional<Promise> missedPromise(const trajectory::Trajectory& made, const MeasureMotion& measure);
 
 }  // namespace hapticell::app

@@ -14,32 +14,32 @@ namespace hapticell::app {
 class Host;
 class MotionList;
 
-/// A format that motions can be written in.
+/// A format for writing motions.
 struct MotionFormat {
-  QString word;       ///< As `trajectory export --to` has it: "krl".
+  QString word;       ///< As in `trajectory export --to`: "krl".
   QString name;       ///< "KUKA KRL (.src, .dat)"
   QString extension;  ///< With the dot; empty: a folder.
   bool is_program = false;
 };
 const std::vector<MotionFormat>& motionFormats();
 
-/// Writes the current motion as a file or a robot's program and reads motions from files, in the background; a message
-/// reports the result. GUI thread.
+/// Writes the current motion to a file or as a robot's program, and reads motions from files, in the background; a
+/// message reports the result. GUI thread.
 class MotionExport : public QObject {
   Q_OBJECT
  public:
   MotionExport(Host& host, MotionList& list, QObject* parent = nullptr);
 
-  /// Asks for the place; before that, where a program would have very many moves, whether only those are written that
-  /// are needed within `tolerance`.
+  /// Asks for a file. If a program would have very many moves, first asks whether to write only those that are needed
+  /// within `tolerance`.
   void askExport(const QString& format, const trajectory::ProgramOptions& options,
                  const trajectory::PathTolerance& tolerance);
-  /// `simplify`: only the frames that are needed within it; the motion itself stays as it is.
+  /// `simplify`: writes only the frames needed within this tolerance; the motion itself does not change.
   void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options,
                 const std::optional<trajectory::PathTolerance>& simplify = {});
   void askImport();
-  /// .htraj, .json, .csv, .yaml and robots' programs, whose notes become messages; a motion that names no entity is
-  /// that of `entity`.
+  /// Reads .htraj, .json, .csv, .yaml and robot programs; notes about programs become messages. A motion that names no
+  /// entity is assigned to `entity`.
   void importFrom(const QStringList& paths, const std::string& entity);
 
  signals:

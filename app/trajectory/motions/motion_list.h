@@ -21,17 +21,17 @@ class Host;
 struct Motion {
   std::string name;
   std::string path;
-  std::shared_ptr<const trajectory::Trajectory> trajectory;  ///< Null while its file is being read, or cannot be.
-  std::shared_ptr<const manipulation::MotionReplay> replay;  ///< Null while it cannot be played; `problem` says why.
+  std::shared_ptr<const trajectory::Trajectory> trajectory;  ///< Null while its file is being read, or if it cannot be.
+  std::shared_ptr<const manipulation::MotionReplay> replay;  ///< Null if it cannot be played; `problem` says why.
   QString problem;
-  bool played = false;                                 ///< Takes part in the play.
-  std::optional<manipulation::PathCheckResult> check;  ///< As the cell stood when it was asked for.
-  std::shared_ptr<const workcell::Entity> entity;      ///< The one that the replay was made with.
+  bool played = false;                                 ///< Is played with the others.
+  std::optional<manipulation::PathCheckResult> check;  ///< For the cell at the time of the check.
+  std::shared_ptr<const workcell::Entity> entity;      ///< The entity that the replay was made with.
 };
 
-/// The trajectories of the document with their content: reads their files beside the window, writes those of new ones,
-/// makes replays of them. Files of recordings are never altered: what is made of one is a new motion in a file of its
-/// own. GUI thread.
+/// The trajectories of the document with their content: reads their files in the background, writes files of new ones,
+/// and makes their replays. Files of recordings are never changed: an edit makes a new motion with its own file. GUI
+/// thread.
 class MotionList : public QObject {
   Q_OBJECT
  public:
@@ -39,31 +39,31 @@ class MotionList : public QObject {
 
   const std::vector<Motion>& motions() const { return motions_; }
   const Motion* find(const std::string& name) const;
-  /// The one that is worked on; null: none.
+  /// The motion that is being edited; null: none.
   const Motion* current() const { return find(current_); }
   void setCurrent(const std::string& name);
   void setPlayed(const std::string& name, bool played);
   void setCheck(const std::string& name, std::optional<manipulation::PathCheckResult> check);
 
-  /// Adds motions as one step of undo, the last one current and all of them played in place of what was. Their files
-  /// are written in the background. False where the document refused.
+  /// Adds motions as one undo step. The last one becomes the current one, and they are all played in place of the
+  /// earlier ones. Writes their files in the background. False if the document refused.
   bool add(const QString& step, std::vector<std::pair<std::string, trajectory::Trajectory>> motions);
-  /// Puts an edited motion in the place of one, as one step of undo; it goes on being played as it was. `same_way`: it
-  /// moves as before (points were named), so what its check found still holds. False where the document refused.
+  /// Replaces a motion by an edited one, as one undo step; whether it is played does not change. `same_way`: the path
+  /// is the same (only names were edited), so the findings of its check are kept. False if the document refused.
   bool replace(const QString& step, std::string name, trajectory::Trajectory motion, bool same_way);
   bool rename(const std::string& name, const QString& new_name);
   bool remove(const std::string& name);
-  /// `wanted`, or with a number behind it.
+  /// `wanted`, with a number added if necessary.
   std::string uniqueName(const std::string& wanted) const;
 
-  /// Work on motions beside the window, one piece after the other.
+  /// Background work on motions, one job after the other.
   BackgroundWork& work() { return work_; }
-  /// Where files of new motions are put: beside the document, or among the user's data while it has no file.
+  /// The folder for files of new motions: next to the document, or in the user's data while the document has no file.
   QString folder() const;
 
  signals:
-  void changed();         ///< Motions, their content, or what is played.
-  void currentChanged();  ///< Another one, or its check.
+  void changed();         ///< Motions, their content, or the choice of those to play changed.
+  void currentChanged();  ///< Another motion is the current one, or its check changed.
 
  private:
   void takeDocument();
@@ -76,7 +76,7 @@ class MotionList : public QObject {
   Host& host_;
   BackgroundWork work_;
   std::vector<Motion> motions_;
-  std::map<std::string, std::shared_ptr<const trajectory::Trajectory>> read_;  ///< By path; null while under way.
+  std::map<std::string, std::shared_ptr<const trajectory::Trajectory>> read_;  ///< By path; null while being read.
   std::map<std::string, QString> unreadable_;
   std::string current_;
 };

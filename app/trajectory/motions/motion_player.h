@@ -13,9 +13,9 @@ namespace hapticell::app {
 class Host;
 class MotionList;
 
-/// Plays the motions of the list that are switched on, all on one clock, in the scene: what is shown moves, the
-/// document does not. It is true to the clock while ten pictures a second can be drawn, and slower, but as even, where
-/// they cannot; no touch is passed over between two pictures. Panels that ask the scene where an entity stands
+/// Plays the motions of the list that are switched on, on one clock, in the scene: only what is shown moves, the
+/// document does not change. Keeps up with the clock while ten frames a second can be drawn; otherwise plays slower but
+/// evenly. No contact between two frames is skipped. Panels that ask the scene for an entity's pose
 /// (SceneModel::placement_W, joints) follow. GUI thread.
 class MotionPlayer : public QObject {
   Q_OBJECT
@@ -24,25 +24,25 @@ class MotionPlayer : public QObject {
   ~MotionPlayer() override;
 
   const trajectory::Playback& playback() const { return playback_; }
-  /// The scene shows the motions at the time; false: the cell as it stands.
+  /// True while the scene shows the motions at time(); false: the cell at rest.
   bool isShown() const { return shown_; }
   void setShown(bool on);
   void play();
   void pause();
-  /// The machine draws fewer than ten pictures a second, so the play is slower than the motion was.
+  /// True if the machine draws fewer than ten frames a second, so that playback is slower than the motion.
   bool isSlow() const;
   void seek(double time);
   void step(int direction);
   void setSpeed(double speed);
   void setLoop(bool on);
-  /// Shows all places that the played motions go through at once, as ghosts: the room that they need.
+  /// Shows the swept volume of the played motions: all their poses at once, as ghosts.
   void setSwept(bool on);
   bool isSwept() const { return swept_; }
-  /// What is played, and what hangs on it, where it is at a time.
+  /// What is played, and what is attached to it, at a time.
   std::vector<GhostPose> playedAt(double time) const;
 
  signals:
-  void changed();  ///< Time, play or pause, speed.
+  void changed();  ///< Time, play or pause, or speed changed.
 
  private:
   void takeMotions();
@@ -54,7 +54,7 @@ class MotionPlayer : public QObject {
   trajectory::Playback playback_;
   QTimer timer_;
   QElapsedTimer clock_;
-  double slow_s_ = 0.0;  ///< For so long pictures have come too seldom.
+  double slow_s_ = 0.0;  ///< For how long frames have been too slow.
   bool shown_ = false, swept_ = false;
 };
 

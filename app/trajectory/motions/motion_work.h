@@ -17,59 +17,59 @@
 
 namespace hapticell::app {
 
-/// Work on motions in the background: each edit gives a new motion (one step of undo) and a line that says what it did
-/// and how far the result is from what it was made of. One piece after the other, with progress and cancel
-/// (MotionList::work()). GUI thread, but for the work itself.
+/// Work on motions in the background: each edit makes a new motion (one undo step) and a line that says what it did and
+/// how far the result deviates from the original. One job after the other, with progress and cancel
+/// (MotionList::work()). GUI thread, except for the work itself.
 class MotionWork : public QObject {
   Q_OBJECT
  public:
   MotionWork(Host& host, MotionList& list, QObject* parent = nullptr);
 
-  /// Frames that are enough within the tolerance.
+  /// Keeps only the frames needed within the tolerance.
   void simplify(const trajectory::PathTolerance& tolerance);
-  /// Smoothed within the tolerance; `keep_free`: nearer to the recording where it would collide.
+  /// Smooths within the tolerance; `keep_free`: stays closer to the recording where it would collide.
   void smooth(const trajectory::PathTolerance& tolerance, bool keep_free);
-  /// New times; limits of joints are the robot's where `options` has none; `keep_free` as for smooth().
+  /// Computes new times. Joint limits are the robot's where `options` has none; `keep_free` as for smooth().
   void retime(trajectory::RetimingOptions options, bool keep_free);
-  /// Limits, singular places, configurations and collisions along the current motion.
+  /// Checks limits, singularities, configurations and collisions along the current motion.
   void check();
 
-  /// Any edit of the current motion. `word` names it ("reversed") in the new motion's name and in the undo step.
+  /// An edit of the current motion. `word` names it ("reversed") in the new motion's name and in the undo step.
   using Edit = std::function<Expected<std::vector<trajectory::Trajectory>>(const trajectory::Trajectory&)>;
   void edit(const QString& word, Edit edit);
-  /// An edit of points: of a program, all of whose points were set by somebody, in its place; of a recording as a copy.
+  /// Edits frames: in a program (all frames set by hand) in place, in a recording as a copy.
   void editPoints(const QString& word, Edit edit);
-  /// All motions of the current one's entity that are played or named, one after the other.
+  /// Joins all motions of the current one's entity that are played or in `names`, one after the other.
   void join(const std::vector<std::string>& names);
 
   const QString& line() const { return line_; }
 
  signals:
-  void told(const QString& line, bool careful);  ///< What an edit did; `careful`: a warning or a refusal.
-  void missed();                                 ///< The last line reports a missed request: show it red.
+  void told(const QString& line, bool careful);  ///< Result of an edit; `careful`: a warning or a refusal.
+  void missed();                                 ///< The last result is a missed request: show it red.
 
  private:
-  /// The document as the worker needs it.
+  /// The document data that the worker needs.
   struct Cell {
     std::vector<std::shared_ptr<const workcell::Entity>> entities;
     manipulation::SceneSource source;
     std::shared_ptr<manipulation::SceneService> scenes;
     config::Configuration configuration;
-    /// Recorded together with the motion that is worked on: what its robot stands on moves meanwhile.
+    /// Recorded together with the edited motion: what carries its robot moves at the same time.
     std::vector<std::shared_ptr<const trajectory::Trajectory>> take;
   };
   struct Result {
     std::vector<trajectory::Trajectory> motions;
     QString line;
     bool careful = false;
-    bool missed = false;  ///< Something that was asked; the line says what.
+    bool missed = false;  ///< A request was missed; the line says which one.
     std::optional<manipulation::PathCheckResult> check;
   };
   using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
                                               workcell::ImportMonitor&)>;
   void run(const QString& word, Work work, bool in_place = false);
   static Work workOf(const QString& line, Edit edit);
-  /// Measures the newest motion as its file would be read back, and says what it misses.
+  /// Measures the newest motion as if its file were read back, and says what it misses.
   static void measure(Result& result, const MeasureMotion& measure);
   static void takeKept(manipulation::KeptFree kept, Result& result);
   std::shared_ptr<const Cell> cell() const;
@@ -80,8 +80,8 @@ class MotionWork : public QObject {
   QString line_;
 };
 
-/// Bounds of a motion for re-timing and curves: a robot's joint speeds (reached in a quarter of a second where nothing
-/// else is known), 0.5 m/s and 2 rad/s for a solid.
+/// Limits of a motion for retiming and curves: a robot's joint speeds (reached in a quarter of a second if nothing else
+/// is known), 0.5 m/s and 2 rad/s for a solid.
 trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const trajectory::Trajectory& trajectory);
 
 }  // namespace hapticell::app

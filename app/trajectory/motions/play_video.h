@@ -13,24 +13,24 @@ namespace hapticell::app {
 class Host;
 class MotionPlayer;
 
-/// A video of what the player plays, from its beginning to its end at the player's speed, as the view stands when it is
-/// begun: drawn picture by picture, so that the window goes on. One at a time. GUI thread.
+/// A video of what the player plays, from its beginning to its end at the player's speed, with the view at the start.
+/// Drawn frame by frame, so that the window stays responsive. One at a time. GUI thread.
 class PlayVideo : public QObject {
   Q_OBJECT
  public:
   PlayVideo(Host& host, const MotionPlayer& player, QObject* parent = nullptr);
   ~PlayVideo() override;
 
-  /// Refused: nothing to play, no ffmpeg, a file that cannot be written. ended() comes later.
+  /// Error: nothing to play, no ffmpeg, or a file that cannot be written. Emits ended() later.
   Expected<void> start(const QString& file, const QSize& size);
-  /// Nothing is written.
+  /// Cancels; no file is written.
   void cancel();
   bool isBusy() const { return work_ != nullptr; }
   double share() const;
 
  signals:
   void stepped();
-  void ended(const QString& file, const QString& problem);  ///< No problem: the file is there.
+  void ended(const QString& file, const QString& problem);  ///< If `problem` is empty, the file exists.
 
  private:
   struct Work;

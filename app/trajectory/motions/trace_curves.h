@@ -8,9 +8,9 @@
 
 namespace hapticell::app {
 
-/// The path of a motion's moved frame as lines in the scene, at most `most` points; its frames set by hand and the ends
-/// as discs; where its check found something, pieces and discs in that colour (contact, limit, careful). `frame` is
-/// marked with axes of `axis_length` (m).
+/// The path of a motion's moved frame as lines in the scene, at most `most` points. Discs mark frames set by hand and
+/// the ends; findings of its check are pieces and discs in their colour (contact, limit, careful). Axes of
+/// `axis_length` (m) mark `frame`.
 std::vector<SceneCurve> traceCurves(const Motion& motion, std::size_t most, std::optional<std::size_t> frame,
                                     double axis_length);
 

@@ -20,7 +20,7 @@ struct TrackDot {
   CheckMark mark = CheckMark::kNone;
 };
 
-/// A stretch of time with a finding.
+/// A time span with a finding.
 struct TrackSpan {
   double t_in = 0.0, t_out = 0.0;
   CheckMark mark = CheckMark::kNone;
@@ -32,7 +32,7 @@ struct TrackRow {
   std::string name;
   double begin = 0.0, end = 0.0;
   bool played = false, current = false, playable = false;
-  QString note;  ///< In the bar: what its check found, or why it cannot be played.
+  QString note;  ///< Text in the bar: findings of its check, or why it cannot be played.
   std::vector<TrackDot> dots;
   std::vector<TrackSpan> spans;
 };
@@ -40,18 +40,18 @@ struct TrackRow {
 /// "Gripper touches Clamp tower B", "A5 is 3.2 deg beyond its end", ...
 QString findingText(const manipulation::PathFinding& finding);
 CheckMark markOf(const manipulation::PathFinding& finding);
-/// The strongest mark at a time: collision over limit over careful; kFree where it was checked and nothing found.
+/// The strongest mark at a time: collision before limit before careful; kFree if checked without a finding.
 CheckMark markAt(const Motion& motion, double t);
 /// One line about a check: "free of contact, least gap 3.8 mm at 11.2 s".
 QString checkLine(const manipulation::PathCheckResult& check);
 
-/// Rows of all motions, dots at most `most` a row: all frames where they are fewer, else those set by hand and every so
-/// many.
+/// Rows of all motions, with at most `most` dots a row: all frames if there are no more, else those set by hand and a
+/// regular selection of the others.
 std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most);
 
-/// The frames of a motion as rows of the tree: all where there are at most `most`; else all that somebody set, by hand,
-/// with a wait or a name, and of what was sampled those where a finding begins, and every so many. What a check found
-/// between a row's frame and the next row's stands at the row, so that nothing that was found is left out.
+/// The frames of a motion as rows of the tree: all if there are at most `most`; else those set by hand, with a dwell or
+/// with a name, and of the sampled ones those where a finding begins and a regular selection. Findings between a row's
+/// frame and the next row's are shown at the row, so that none is left out.
 std::vector<WorkcellTreeModel::MotionFrame> motionFrames(const Motion& motion, std::size_t most);
 
 }  // namespace hapticell::app

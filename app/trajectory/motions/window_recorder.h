@@ -14,8 +14,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// Records what is moved in the window (jogged, dragged by a gizmo, typed) while no module moves: whatever differs from
-/// where it stood when the recording began, a hundred times a second. GUI thread.
+/// Records what is moved in the window (jogged, dragged by a gizmo, typed) while no module moves anything: everything
+/// that differs from its pose at the start, a hundred times a second. GUI thread.
 class WindowRecorder : public QObject {
   Q_OBJECT
  public:
@@ -34,7 +34,7 @@ class WindowRecorder : public QObject {
   void add(const workcell::Entity& entity, double t, bool by_hand);
   Host& host_;
   std::unique_ptr<manipulation::TakeRecorder> recorder_;
-  std::map<workcell::EntityId, std::pair<Pose, std::vector<double>>> start_;  ///< Where all stood.
+  std::map<workcell::EntityId, std::pair<Pose, std::vector<double>>> start_;  ///< All poses and joint values at first.
   std::map<workcell::EntityId, bool> moves_;
   QTimer timer_;
   QElapsedTimer clock_;

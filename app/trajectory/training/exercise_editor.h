@@ -18,16 +18,16 @@ class Host;
 class MotionList;
 class ValueField;
 
-/// Makes an exercise of the open cell and one of its motions, or changes one: name, what is to be done, the expert's
-/// motion, how the trainee is led and what costs points. What is missing is shown below its field and nothing is saved
-/// until it is right. Not modal: the cell can be saved meanwhile. Closes with the cell. GUI thread.
+/// Makes an exercise from the open cell and one of its motions, or changes one: name, task, the expert's motion,
+/// guidance for the trainee and what costs points. Problems are shown below their fields, and nothing is saved until
+/// they are solved. Not modal, so that the cell can be saved meanwhile. Closes with the cell. GUI thread.
 class ExerciseEditor : public QDialog {
   Q_OBJECT
  public:
-  /// `folder`: where it is saved.
+  /// `folder`: where to save the exercise.
   ExerciseEditor(Host& host, MotionList& list, const QString& folder, QWidget* parent = nullptr);
-  /// Begins with what an exercise has; `file`: where it is from; empty: it is the open cell's and not saved yet. One of
-  /// another folder is saved as a copy.
+  /// Fills the fields from an exercise; `file`: its file; empty: it is for the open cell and not saved yet. An exercise
+  /// from another folder is saved as a copy.
   void edit(const QString& file, const manipulation::Exercise& exercise, const trajectory::Trajectory& expert);
 
  signals:
@@ -52,13 +52,13 @@ class ExerciseEditor : public QDialog {
   QString folder_, file_;
   manipulation::Exercise exercise_;
   trajectory::Trajectory expert_;
-  bool tried_ = false;  ///< Problems are shown from the first attempt to save.
+  bool tried_ = false;  ///< Problems are shown after the first attempt to save.
   QLineEdit* name_;
   QPlainTextEdit* text_;
   QComboBox* motion_;
   QLabel *held_, *cell_, *name_problem_, *text_problem_, *motion_problem_, *cell_problem_, *file_problem_;
   std::array<ValueField*, 7> numbers_;
-  std::array<double, 7> began_;  ///< What the fields showed at first.
+  std::array<double, 7> began_;  ///< Values of the fields at the start.
 };
 
 }  // namespace hapticell::app

@@ -21,7 +21,7 @@ class ExerciseSection : public QObject {
  public:
   explicit ExerciseSection(QVBoxLayout& column, QObject* parent = nullptr);
 
-  /// Where exercises that are made here are kept; they stand in the list behind the shipped ones.
+  /// The folder for exercises made here; the list shows them after the shipped ones.
   const QString& folder() const { return own_folder_; }
   void setFolder(const QString& folder) { own_folder_ = folder; }
   /// Fills the list again and selects this file; empty: no selection.
@@ -36,10 +36,10 @@ class ExerciseSection : public QObject {
 
  signals:
   void chosen(const QString& path);
-  void playWanted();  ///< The expert's motion is to be shown, or no more.
+  void playWanted();  ///< Asks to start or stop showing the expert's motion.
   void newWanted();
   void editWanted();
-  void teachWanted();  ///< The current motion is to become the exercise.
+  void teachWanted();  ///< Asks to make an exercise of the current motion.
 
  private:
   void choose(int index);

@@ -8,20 +8,20 @@
 
 namespace hapticell::app {
 
-/// Order in which runs are shown: practice, then, apart, retention, then transfer; each by time.
+/// The order for showing runs: practice, then separately retention, then transfer; each by time.
 std::vector<std::size_t> shownOrder(const std::vector<trajectory::TrainingAttempt>& attempts);
 
-/// Points and help of a trainee's runs over time: bars for the points (hatched where the run was no success), a stepped
-/// line for the help of practice. Runs without guidance are drawn separately after it, in another colour.
+/// Score and guidance of a trainee's runs over time: bars for the score (hatched if the run failed), a stepped line for
+/// the guidance in practice. Runs without guidance are drawn separately after it, in another colour.
 class ProgressPlot : public QWidget {
   Q_OBJECT
  public:
   explicit ProgressPlot(QWidget* parent = nullptr);
-  /// `pass`: points from which a run is a success.
+  /// `pass`: score from which a run is successful.
   void setAttempts(std::vector<trajectory::TrainingAttempt> attempts, double pass);
   QSize sizeHint() const override { return {300, 132}; }
   QSize minimumSizeHint() const override { return {200, 110}; }
-  /// Paints it anywhere: on the panel and in the report.
+  /// Paints it on any painter: on the panel and in the report.
   static void paint(QPainter& painter, const QRect& rect, const std::vector<trajectory::TrainingAttempt>& attempts,
                     double pass, const QPalette& palette);
 

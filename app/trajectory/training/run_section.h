@@ -16,8 +16,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// The section *Run* of the dock *Training*: what kind of run, how far it is, whether the forces are on, and the
-/// buttons that begin and end it. GUI thread.
+/// The section *Run* of the dock *Training*: the kind of run, its progress, whether forces are on, and the buttons to
+/// start and end it. GUI thread.
 class RunSection : public QObject {
   Q_OBJECT
  public:
@@ -27,20 +27,20 @@ class RunSection : public QObject {
   trajectory::RunKind kind() const;
   struct State {
     bool is_running = false, has_exercise = false;
-    QString note;        ///< What was said last; empty: nothing.
-    double share = 0.0;  ///< Of the way, while a run goes on.
+    QString note;        ///< The last note; empty: none.
+    double share = 0.0;  ///< Progress along the motion during a run, 0 to 1.
   };
   void show(const State& state);
-  /// Another word where the forces went on or off; with the rest of the state as shown last.
+  /// Updates the text for forces on or off; the rest stays as shown last.
   void showForces();
-  /// What is good to know of this kind of run, at this time in the trainee's session.
+  /// Shows advice for this kind of run, at this time in the trainee's session.
   void showKind(const trajectory::TrainingSession& session, const std::string& now);
-  /// A stylus is connected, and its forces are off.
+  /// True if a stylus is connected and its forces are off.
   bool forcesAreOff() const;
 
  signals:
   void kindChosen();
-  void startClicked();  ///< The main button: begin with forces, or end the run.
+  void startClicked();  ///< The main button: start with forces, or end the run.
   void startWithoutForces();
 
  private:

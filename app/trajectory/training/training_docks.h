@@ -17,14 +17,14 @@ class Host;
 class MotionList;
 class TrainingPanel;
 
-/// The dock *Training* (dockTraining, hidden until it is asked for) and what its runs do in the window: the guide that
-/// is felt and seen, the expert's ghost a little ahead, where the trainee is. GUI thread.
+/// The dock *Training* (dockTraining, hidden until it is opened), and what its runs do in the window: the guide that is
+/// felt and shown, the expert's ghost a little ahead, the trainee's position. GUI thread.
 class TrainingDocks : public QObject {
   Q_OBJECT
  public:
   TrainingDocks(Host& host, MotionList& list, QObject* parent = nullptr);
   TrainingPanel& panel() { return *panel_; }
-  /// Brings it to the front, unless something is held.
+  /// Brings the dock to the front, unless something is held.
   void open();
 
  private:

@@ -31,40 +31,40 @@ class TrainingPanel : public QWidget {
   TrainingPanel(Host& host, MotionList& list, QWidget* parent = nullptr);
   ~TrainingPanel() override;
 
-  /// Reads an exercise; its cell is opened by exerciseOpened(). False where it cannot be read.
+  /// Reads an exercise, and asks for its cell by cellWanted(). False if the exercise cannot be read.
   bool openExercise(const QString& path);
-  /// Opens the exercise of the training results `path` (*.htrain) and continues in that file. An exercise beside the
-  /// file is preferred to one of the library.
+  /// Opens the exercise of the training results `path` (*.htrain) and continues in that file. Prefers an exercise next
+  /// to the file to one of the library.
   void openResults(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
-  /// Another document follows: a running run is given up, and the exercise is closed unless the new document is its own
+  /// Another document follows: cancels a running run, and closes the exercise unless the new document is its own
   /// cell.
   void forgetCell();
-  /// Takes what was recorded while a run went on; false where none does.
+  /// Takes the recording of the running run; false if no run is running.
   bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);
-  /// The trainee's file; empty: results are kept by exercise and name among the user's data.
+  /// Sets the trainee's file; empty: results are kept by exercise and name in the user's data.
   void setResults(const QString& path);
-  /// Where exercises that are made here are kept; they stand in the list behind the shipped ones.
+  /// Sets the folder for exercises made here; the list shows them after the shipped ones.
   void setExercises(const QString& folder);
   const trajectory::TrainingSession& session() const { return results_.session(); }
   bool isRunning() const { return run_ != nullptr; }
-  /// The run that goes on is led: its guide, its path and the expert's ghost are shown.
+  /// Whether the present run has guidance: its guide, its path and the expert's ghost are shown.
   bool isLed() const;
-  /// s of the expert's motion where the trainee is; 0 while no run goes on.
+  /// The trainee's position along the expert's motion, s; 0 without a run.
   double expertTime() const { return run_ ? run_->expertTime() : 0.0; }
-  /// Where the moved frame of the exercise's entity is; called at each of the window's steps while a run goes on.
+  /// Sets the present pose of the moved frame; called at each step of the window during a run.
   void follow(const Pose& X_WM);
-  /// The cell that cellWanted() asked for is there; or will not be, and why.
+  /// Reports that the cell of cellWanted() is open, or why it cannot be opened.
   void cellCame(const QString& problem = {});
 
  signals:
-  void cellWanted(const QString& path);  ///< The exercise's workcell is to be opened.
-  /// The guide of the run as it stands now; nothing: none.
+  void cellWanted(const QString& path);  ///< Asks to open the exercise's workcell.
+  /// The present guide of the run; empty: none.
   void guideChanged(const std::optional<hapticell::workcell::Guide>& guide);
   void runStarted(const hapticell::trajectory::Trajectory& expert);
   void runEnded();
-  void sceneWanted();  ///< A run or a play begins: what else is played ends.
+  void sceneWanted();  ///< A run or playback starts: any other playback must end.
   void told(const QString& line, bool careful);
 
  private:
@@ -88,8 +88,8 @@ class TrainingPanel : public QWidget {
   void cancel();
   void loadResults();
   void exportResults();
-  double neededPoints() const;   ///< To pass.
-  static std::string nowText();  ///< ISO 8601, with the zone.
+  double neededPoints() const;   ///< Score needed to pass.
+  static std::string nowText();  ///< ISO 8601, with the time zone.
   void show();
   void showGuide();
 
@@ -100,7 +100,7 @@ class TrainingPanel : public QWidget {
   std::unique_ptr<manipulation::TrainingRun> run_;
   TrainingResults results_;
   QString exercise_file_;
-  QString note_;  ///< The last that was said; until the next run.
+  QString note_;  ///< The last note; until the next run.
   TrainingPlay* play_;
   bool cell_wanted_ = false;  ///< The exercise's own cell is being opened.
   QLineEdit* trainee_;

@@ -12,18 +12,18 @@ namespace hapticell::app {
 
 class Host;
 
-/// Shows an exercise's motions in the scene in real time: the expert's alone, by the part itself; or the trainee's run
-/// by the part and the expert's as a ghost beside it, both from their beginnings. The document stays as it is. GUI
+/// Plays an exercise's motions in the scene in real time: the expert's alone, with the part itself; or the trainee's
+/// run with the part and the expert's with a ghost, both from their beginnings. The document does not change. GUI
 /// thread.
 class TrainingPlay : public QObject {
   Q_OBJECT
  public:
   explicit TrainingPlay(Host& host, QObject* parent = nullptr);
 
-  /// Begins from the start; what was played ends. An empty `run`: the expert alone. Errors: the cell has nothing that
-  /// could move so; then nothing is played.
+  /// Plays from the start, and ends an earlier playback. An empty `run`: the expert alone. Error: the cell has no
+  /// entity for this motion; then nothing is played.
   Expected<void> play(const trajectory::Trajectory& expert, const trajectory::Trajectory& run);
-  /// The scene shows the cell as it is again. Harmless when nothing is played.
+  /// Shows the cell at rest again. Does nothing if nothing is played.
   void stop();
   bool isPlaying() const { return expert_ != nullptr; }
 
@@ -34,7 +34,7 @@ class TrainingPlay : public QObject {
   void show();
   Host& host_;
   std::unique_ptr<const manipulation::MotionReplay> expert_, run_;
-  double seconds_ = 0.0;  ///< Of the longer one.
+  double seconds_ = 0.0;  ///< Duration of the longer one.
   QElapsedTimer clock_;
   QTimer timer_;
 };

@@ -8,8 +8,8 @@
 
 namespace hapticell::app {
 
-/// A trainee's results as one page or more: a table of all runs and the plot of points and help. A name that ends in
-/// .csv gets the table as text. Errors: the file cannot be written.
+/// Writes a trainee's results as one page or more: a table of all runs and the plot of score and guidance. If the name
+/// ends in .csv, writes the table as text. Error: the file cannot be written.
 Expected<void> writeTrainingReport(const QString& path, const trajectory::TrainingSession& session, double pass);
 
 }  // namespace hapticell::app

@@ -8,18 +8,18 @@
 
 namespace hapticell::app {
 
-/// A trainee's results at one exercise, and the file that keeps them, its runs beside it. GUI thread.
+/// A trainee's results at one exercise, and their file; runs are stored next to it. GUI thread.
 class TrainingResults {
  public:
   const trajectory::TrainingSession& session() const { return session_; }
   trajectory::TrainingSession& session() { return session_; }
-  /// The file; empty: by trainee and exercise, among the user's data.
+  /// Sets the file; empty: named by trainee and exercise, in the user's data.
   void setPath(const QString& path) { path_ = path; }
-  /// Those of this trainee at this exercise (empty: none, then nothing is read). Errors: the file cannot be read; then
-  /// there is nothing yet.
+  /// Reads the results of this trainee at this exercise (empty: none, nothing is read). Error: the file cannot be read;
+  /// then there are no results yet.
   Expected<void> load(const QString& trainee, const std::string& exercise);
   Expected<void> keep() const;
-  /// Writes a run beside the results; its name relative to them.
+  /// Writes a run next to the results; returns its name relative to them.
   Expected<std::string> keepRun(const trajectory::Trajectory& run) const;
   Expected<trajectory::Trajectory> readRun(std::size_t attempt) const;
 

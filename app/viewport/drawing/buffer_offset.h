@@ -5,9 +5,9 @@
 
 namespace hapticell::app {
 
-/// Bytes from a buffer's beginning as OpenGL takes them, where a pointer was once asked for.
+/// An offset in a buffer as OpenGL takes it, as a pointer.
 inline const void* bufferOffset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): OpenGL's interface wants it.
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): OpenGL requires it.
 }
 
 }  // namespace hapticell::app

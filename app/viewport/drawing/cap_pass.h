@@ -8,13 +8,13 @@
 
 namespace hapticell::app {
 
-/// The caps of the section plane: where a closed part is cut, its inside as a hatched face in the plane. The stencil
-/// buffer counts the part's faces behind the plane; where more leave than enter, the plane is within the part.
+/// The caps of the section plane: a hatched face in the plane where it cuts a closed part. The stencil buffer counts
+/// the part's faces behind the plane; where more leave than enter, the plane is inside the part.
 class CapPass {
  public:
   explicit CapPass(Gl& gl);
   ~CapPass();
-  /// After the faces, into the same target, which needs a stencil buffer. Without a section it draws nothing.
+  /// Draws after the faces, into the same target, which needs a stencil buffer. Draws nothing without a section plane.
   void draw(const DrawContext& context);
 
  private:

@@ -6,50 +6,50 @@
 
 namespace hapticell::app {
 
-/// What one call could draw: `uses` of a mesh of `units` triangles (or of edges).
+/// The most that one call could draw: `uses` of a mesh of `units` triangles (or edges).
 struct DrawLoad {
   std::size_t units = 0, uses = 0;
 };
 
-/// A part of a load: some of its uses with a run of their units.
+/// A part of a load: some of its uses with a range of their units.
 struct DrawPart {
   std::size_t first_use = 0, uses = 0, first_unit = 0, units = 0;
 };
 
-/// How far a picture that is drawn in several goes has come. The calls of all goes must be offered in the same order.
+/// Progress of a picture that is drawn in several passes. All passes must offer the calls in the same order.
 struct DrawProgress {
-  std::size_t done = 0;     ///< Units times uses, from the first load on.
-  std::size_t call = 4096;  ///< Units that one call may draw; learnt from the time that calls take.
+  std::size_t done = 0;     ///< Units times uses, counted from the first load.
+  std::size_t call = 4096;  ///< Units per call; learnt from the duration of calls.
 };
 
-/// What is drawn in one go: everything by as few calls as can be, or of a picture at rest what fits into the time, from
-/// where the last go ended. Passes offer it their loads one after the other. Knows no OpenGL.
+/// What is drawn in one go: everything with as few calls as possible, or, for a picture at rest, what fits into the
+/// time, continuing where the last go ended. Passes offer their loads one after the other. Uses no OpenGL.
 class DrawShare {
  public:
   struct Clock {
     std::function<double()> now;      ///< Seconds.
-    std::function<void()> wait = {};  ///< Returns when all that was called is drawn.
+    std::function<void()> wait = {};  ///< Returns when all calls are completed.
   };
   using Draw = std::function<void(const DrawPart&)>;
 
-  /// Everything.
+  /// Draws everything.
   DrawShare() = default;
-  /// About `seconds` of it, at least one call. `progress` must outlive it.
+  /// Draws for about `seconds`, at least one call. `progress` must outlive it.
   DrawShare(DrawProgress& progress, double seconds, Clock clock);
 
-  /// Calls `draw` for what is due of the load.
+  /// Calls `draw` for the part of the load that is due.
   void offer(const DrawLoad& load, const Draw& draw);
-  /// What cannot be cut, as heavy as so many units.
+  /// Offers a load that cannot be divided, as expensive as so many units.
   void once(std::size_t units, const std::function<void()>& draw);
-  /// Nothing was left for another go.
+  /// True if nothing was left for another go.
   bool isWhole() const { return !left_over_; }
-  /// Seconds of the longest call that could not have been cut further by fewer units: a smaller area must be drawn.
+  /// Duration of the longest call that fewer units could not shorten; only a smaller area can. Seconds.
   double longestLeast() const { return longest_least_; }
-  /// Triangles of a call, however long it takes: fewer cost more for the call than for drawing. Half: slower; twice:
-  /// longer pauses without a graphics card.
+  /// Smallest number of triangles in a call: with fewer, the call costs more than drawing. Half: slower; twice: longer
+  /// pauses without a graphics card.
   static constexpr std::size_t kLeastUnits = 256;
-  /// s that a call shall take: half of a 60 Hz picture, between two looks at the time. Half: more calls; twice: a piece
-  /// of a picture is late by twice as much.
+  /// s; planned duration of a call: half of a 60 Hz frame, between two checks of the time. Half: more calls; twice: a
+  /// piece of a picture is late by twice as much.
   static constexpr double kCallSeconds = 0.008;
 
  private:
@@ -57,7 +57,7 @@ class DrawShare {
   DrawProgress* progress_ = nullptr;
   double seconds_ = 0.0, start_ = 0.0, longest_least_ = 0.0;
   Clock clock_;
-  std::size_t offered_ = 0;  ///< Units times uses before the load that is offered.
+  std::size_t offered_ = 0;  ///< Units times uses before the present load.
   bool over_ = false, left_over_ = false;
 };
 

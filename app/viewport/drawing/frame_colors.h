@@ -6,7 +6,7 @@
 
 namespace hapticell::app {
 
-/// The colours that a theme gives a picture of the scene, and `sets` (SceneModel::colouredSets()) the marks of theirs.
+/// The colours of a picture of the scene in a theme; `sets` (SceneModel::colouredSets()) colour their marks.
 FrameColors frameColors(const Theme& theme, const std::vector<workcell::PairSet>& sets = {});
 
 }  // namespace hapticell::app

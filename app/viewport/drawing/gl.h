@@ -10,23 +10,23 @@
 
 namespace hapticell::app {
 
-/// OpenGL 3.3 core. All classes that take it are used on one thread with one current context, and are destroyed with
-/// it.
+/// OpenGL 3.3 core. All classes that take it are used on one thread with one current context, and are destroyed before
+/// the context.
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// Compiles shaders/NAME.vert and shaders/NAME.frag from the resources. A fault of theirs is a fault of the program: it
-/// is written to the log and gives null.
+/// Compiles shaders/NAME.vert and shaders/NAME.frag from the resources. If that fails, which is a bug of the program,
+/// writes it to the log and returns null.
 /// Each of `switches` is defined as 1.
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment,
                                                   const std::vector<const char*>& switches = {});
 
-/// One program for each set of switches, compiled when it is first asked for. Software renderers run both sides of
-/// every `if`, so what a frame does not need is left out when compiling, not when drawing.
+/// One program for each set of switches, compiled on first use. Software renderers run both branches of every `if`, so
+/// what a frame does not need is left out when compiling, not when drawing.
 class ProgramFamily {
  public:
   ProgramFamily(const char* vertex, const char* fragment, std::vector<const char*> switches)
       : vertex_(vertex), fragment_(fragment), switches_(std::move(switches)), programs_(1u << switches_.size()) {}
-  /// Bit i of `set` turns the i-th switch on. Null where it does not compile.
+  /// Bit i of `set` turns the i-th switch on. Null if it does not compile.
   QOpenGLShaderProgram* of(unsigned set);
 
  private:
@@ -44,7 +44,7 @@ class RenderTarget {
   struct Format {
     std::vector<GLenum> colors;  ///< Internal formats of the colour attachments.
     bool depth = false;
-    bool stencil = false;        ///< With depth: a stencil buffer beside it.
+    bool stencil = false;        ///< Requires depth: also a stencil buffer.
     bool depth_compare = false;  ///< For sampler2DShadow.
     bool linear = false;
   };
@@ -55,7 +55,7 @@ class RenderTarget {
 
   /// Makes new textures if the size has changed; returns true then.
   bool resize(int width, int height);
-  void bind();  ///< For drawing, viewport set to its size.
+  void bind();  ///< Binds it for drawing, with the viewport set to its size.
   GLuint color(std::size_t index) const { return colors_[index]; }
   GLuint depth() const { return depth_; }
   GLuint framebuffer() const { return framebuffer_; }

@@ -5,8 +5,8 @@
 
 namespace hapticell::app {
 
-/// What OpenGL this display gives the window, as a line of JSON: "version", "renderer", "vendor" and "software" (true:
-/// the processor draws), or "problem". `hapticell --probe-graphics` prints it for `hapticell-cli doctor`. GUI thread.
+/// The OpenGL that this display offers, as a line of JSON: "version", "renderer", "vendor" and "software" (true: the
+/// processor draws), or "problem". `hapticell --probe-graphics` prints it for `hapticell-cli doctor`. GUI thread.
 QByteArray probeGraphics();
 
 }  // namespace hapticell::app

@@ -17,7 +17,7 @@ class InstanceBuffer {
   InstanceBuffer& operator=(const InstanceBuffer&) = delete;
 
   void fill(const std::vector<ItemInstance>& uses);
-  /// Attributes 2 to 6 of the bound vertex array: rows, albedo and identity from the `first` use on, one an instance.
+  /// Sets attributes 2 to 6 of the bound vertex array: rows, albedo and id from the `first` use on, one per instance.
   void attach(std::size_t first) const;
 
  private:

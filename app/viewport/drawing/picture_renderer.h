@@ -12,11 +12,11 @@
 
 namespace hapticell::app {
 
-/// Finished pictures of a scene without a window: of any size, for files, reports and previews. It has an OpenGL
-/// context of its own. GUI thread, after the QApplication was made.
+/// Finished pictures of a scene without a window, of any size, for files, reports and previews. Has its own OpenGL
+/// context. GUI thread; make it after the QApplication.
 class PictureRenderer {
  public:
-  /// An error where the platform gives no OpenGL 3.3 (no display, no driver).
+  /// Error: the platform has no OpenGL 3.3 (no display, no driver).
   static Expected<PictureRenderer> make();
   PictureRenderer(PictureRenderer&&) noexcept;
   PictureRenderer& operator=(PictureRenderer&&) noexcept;
@@ -24,11 +24,11 @@ class PictureRenderer {
 
   struct Look {
     bool edges = true;
-    bool floor = true;  ///< Grid and the shadows on it.
+    bool floor = true;  ///< The grid and the shadows on it.
     int samples = 24;   ///< Averaged for smooth lines and soft shadows; 1 is quick and rough.
   };
 
-  /// All samples of the picture, no labels. Sides of 1 to 16384 pixels; what is larger is drawn smaller in proportion.
+  /// All samples of the picture, no labels. Sides of 1 to 16384 pixels; larger pictures are scaled down.
   QImage draw(const SceneModel& scene, const Camera& camera, const QSize& size, const Theme& theme, const Look& look);
 
  private:

@@ -12,52 +12,52 @@
 
 namespace hapticell::app {
 
-/// What lies under a pixel.
+/// What is under a pixel.
 struct PickedPoint {
   workcell::EntityId entity = 0;  ///< 0: the drawn stylus.
-  int link = -1;                  ///< Robots: index of the link.
+  int link = -1;                  ///< For robots: index of the link.
   dvec3 p_WQ{0.0};
 };
 
-/// Draws the scene. Needs a current OpenGL 3.3 core context from its making to its end; knows no widgets.
+/// Draws the scene. Needs a current OpenGL 3.3 core context during its whole life; uses no widgets.
 ///
-/// A still picture is refined: each call with the next Frame::sample adds a sample with shifted pixels and light to the
-/// mean, which smooths lines, shadows and occlusion without multisampling.
+/// A picture at rest is refined: each call with the next Frame::sample adds a sample with shifted pixels and light to
+/// the mean, which smooths lines, shadows and occlusion without multisampling.
 class SceneRenderer {
  public:
-  /// `on_mesh_ready` is called in another thread whenever a part that was missing can be drawn.
+  /// Calls `on_mesh_ready` in another thread whenever a missing part can be drawn.
   SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready);
   ~SceneRenderer();
 
   struct PieceDone {
     bool whole = false;          ///< The shadows, or the band, are finished.
-    double longest_least = 0.0;  ///< Seconds of what could not be cut: only narrower bands make it shorter.
+    double longest_least = 0.0;  ///< Seconds of what could not be divided: only narrower bands shorten it.
   };
-  /// Draws for about `seconds` at the shadows of the refined sample `frame`, or at its band, which comes after them,
-  /// and shows nothing yet. To be called until it is whole; neither the scene nor the frame's size may change in
-  /// between, nor from one sample to the next. What else is drawn in between loses what was begun.
+  /// Draws for about `seconds` the shadows of the refined sample `frame`, or its band, which follows them, and shows
+  /// nothing yet. Call it until the piece is whole. Neither the scene nor the frame's size may change in between, nor
+  /// from one sample to the next. Drawing anything else in between discards the piece.
   PieceDone drawPiece(const Frame& frame, bool shadows, double seconds);
-  /// Draws one sample, or a band of it, and shows nothing yet.
+  /// Draws one sample, or a band of it, without showing it.
   void draw(const Frame& frame);
-  /// The same, and shows the picture in `framebuffer`.
+  /// Draws the same, and shows the picture in `framebuffer`.
   void render(const Frame& frame, GLuint framebuffer);
-  /// Shows the last picture again: the mean of a refined one once its first sample is whole, before that the quick one.
+  /// Shows the last picture again: the refined mean once its first sample is whole, before that the quick picture.
   void present(int width, int height, GLuint framebuffer);
-  /// present() shows a picture at rest.
+  /// True if present() shows a picture at rest.
   bool showsRest() const;
-  /// What the last frame shows at a pixel (device pixels, origin top left); nothing over background and floor.
+  /// What the last frame shows at a pixel (device pixels, origin top left); empty over background and floor.
   std::optional<PickedPoint> pick(int x, int y);
-  /// Parts that are not drawn yet because their edges and normals are still being worked out.
+  /// Number of parts that are not drawn yet because their edges and normals are still being computed.
   std::size_t missingParts() const;
-  /// What one frame may spend on new parts, so that a cell that was just read does not make one long frame; negative,
-  /// as it begins: without limit.
+  /// Sets how long one frame may prepare new parts, so that a newly opened cell causes no long frame; negative (the
+  /// default): no limit.
   void setFrameMilliseconds(int most);
-  /// Waits until none is missing.
+  /// Waits until no part is missing.
   void waitForParts();
   /// What the last call of draw() drew: calls, triangles of faces, uses of meshes.
   DrawCount lastCount() const;
-  /// After so many a still picture is finished (docs/dev/window.md). Half: soft shadows show steps; twice: twice the
-  /// time of a fan.
+  /// Number of samples of a finished picture at rest (docs/dev/window.md). Half: soft shadows show steps; twice: twice
+  /// the time with a noisy fan.
   static constexpr int kSamples = 24;
 
  private:

@@ -18,12 +18,12 @@ namespace hapticell::app {
 class ShadowPass {
  public:
   explicit ShadowPass(Gl& gl);
-  // In samples after the first the light stands a little aside each time, which makes soft borders.
+  // For samples after the first, the light is shifted slightly each time, which gives soft borders.
 
-  /// Draws a share of a new map; true once it is whole. Until then map() is the one before. The scene must not change
-  /// between the shares of a map: giveUp() where it did.
+  /// Draws a share of a new map; true once it is whole. Until then, map() is the previous one. The scene must not
+  /// change between the shares of a map: if it does, call giveUp().
   bool draw(const Frame& frame, GpuMeshCache& meshes, DrawShare& share);
-  /// Forgets a map that was begun.
+  /// Drops an unfinished map.
   void giveUp() { begun_.reset(); }
   bool ready() const { return ready_; }
   /// Metres of the cell that a texel of the map covers.
@@ -32,7 +32,7 @@ class ShadowPass {
   const glm::dmat4& lightFromWorld() const { return shown_.light_from_world; }
 
  private:
-  /// Where the light looks from.
+  /// The light's view of the scene.
   struct View {
     glm::dmat4 light_from_world{1.0};
     double texel = 0.0;
@@ -50,7 +50,7 @@ class ShadowPass {
 
   Gl& gl_;
   std::unique_ptr<QOpenGLShaderProgram> program_;
-  std::array<RenderTarget, 2> targets_;  ///< The one that is shown and the one that is being drawn.
+  std::array<RenderTarget, 2> targets_;  ///< The shown map and the one that is being drawn.
   std::size_t shown_target_ = 0;
   InstanceBuffer uses_;
   View shown_;

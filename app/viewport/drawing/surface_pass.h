@@ -10,20 +10,20 @@
 
 namespace hapticell::app {
 
-/// Where a frame is looked from: matrices in double precision, shared by the passes.
+/// The view of a frame: matrices in double precision, shared by the passes.
 struct FrameView {
   glm::dmat4 clip_from_world{1.0};
   glm::dmat4 view_from_world{1.0};
   glm::dmat4 clip_from_view{1.0};
-  glm::dmat4 band_from_world{1.0};  ///< As clip_from_world, but -1 .. 1 is the band that is drawn, with its room.
+  glm::dmat4 band_from_world{1.0};  ///< As clip_from_world, but -1 to 1 is the present band with its margin.
 };
 
-constexpr int kBandRoom = 6;  ///< Pixels that are drawn beyond a band: outlines look at their neighbours.
+constexpr int kBandRoom = 6;  ///< Pixels drawn beyond a band: outlines use neighbouring pixels.
 
-/// Looked from the frame's camera, shifted to the sample's place within the pixel.
+/// The view from the frame's camera, shifted to the sample's position within the pixel.
 FrameView viewOf(const Frame& frame);
 
-/// What all passes of a frame draw from.
+/// The input of all passes of a frame.
 struct DrawContext {
   const Frame& frame;
   const FrameView& view;
@@ -31,7 +31,7 @@ struct DrawContext {
   DrawShare& share;
 };
 
-/// Faces: matte, two-sided, sky and ground light, key light with shadow, a weak light at the eye; contact is hatched.
+/// Faces: matte, two-sided, lit by sky and ground, key light with shadow, weak light at the eye; contact is hatched.
 class SurfacePass {
  public:
   explicit SurfacePass(Gl& gl);
@@ -48,7 +48,7 @@ class SurfacePass {
   InstanceBuffer uses_;
 };
 
-/// Edges as quads of constant width: creases, and where a face turns away from the eye.
+/// Edges as quads of constant width: creases, and silhouettes, where a face turns away from the eye.
 class EdgePass {
  public:
   explicit EdgePass(Gl& gl);

@@ -10,39 +10,39 @@
 
 namespace hapticell::app {
 
-/// A mesh on its way to the graphics card, in two editions: one that can be shown soon, one to stay.
+/// A mesh on its way to the graphics card, in two editions: a first one to show soon, and a lasting one.
 struct PreparedMesh {
-  std::atomic<bool> first_ready{false};  ///< Set with release once `first` is whole; only then may it be read.
-  DisplayMesh first;                     ///< Without coarser steps; of a large mesh rough triangles that stand for it.
+  std::atomic<bool> first_ready{false};  ///< Set (release) once `first` is complete; it may be read only then.
+  DisplayMesh first;                     ///< Without coarser steps; of a large mesh, rough triangles in its place.
   std::atomic<bool> ready{false};        ///< The same for `mesh`.
   DisplayMesh mesh;
 };
 
 /// Prepares meshes for drawing in background threads of low priority: one makes the first editions, others the lasting
-/// ones, so that a large mesh never keeps others from being seen.
+/// ones, so that a large mesh never delays others.
 class DisplayMeshWorker {
  public:
-  /// `on_shown` is called in a worker's thread whenever a mesh can be shown better than before; may be empty.
+  /// Calls `on_shown` in a worker's thread whenever a mesh can be shown better than before; may be empty.
   explicit DisplayMeshWorker(std::function<void()> on_shown = {});
-  /// Drops what was not begun, gives up what was.
+  /// Drops requests that were not started, and cancels the running ones.
   ~DisplayMeshWorker();
   DisplayMeshWorker(const DisplayMeshWorker&) = delete;
   DisplayMeshWorker& operator=(const DisplayMeshWorker&) = delete;
 
-  /// Begins at once or after those asked for before; the mesh is kept alive until then. One whose answer nobody holds
-  /// any more is skipped.
+  /// Starts at once, or after earlier requests; keeps the mesh alive until then. Skips requests whose result nobody
+  /// holds any more.
   std::shared_ptr<PreparedMesh> prepare(std::shared_ptr<const geometry::TriangleMesh> mesh,
                                         double crease_angle = kPartCrease);
-  /// The same for one that is shown already: only the lasting edition, and `on_shown` is not called.
+  /// The same for a mesh that is already shown: only the lasting edition, and without calling `on_shown`.
   std::shared_ptr<PreparedMesh> prepareLasting(std::shared_ptr<const geometry::TriangleMesh> mesh,
                                                double crease_angle = kPartCrease);
-  /// Frees what is not needed any more; that of a large mesh takes longer than a frame may.
+  /// Frees what is not needed any more; for a large mesh, this takes longer than a frame may take.
   void letGo(std::shared_ptr<PreparedMesh> prepared);
   /// Waits until all are ready.
   void wait();
-  /// Meshes of more triangles are shown by rough ones at first.
-  /// Triangles from which it is shown coarsely first (docs/dev/window.md). Half: more parts change shape after reading;
-  /// twice: the first picture is late.
+  /// Number of triangles above which a mesh is first shown by a rough one
+  /// (docs/dev/window.md). Half: more parts change shape after reading; twice: the first
+  /// picture is late.
   static constexpr std::size_t kLargeMesh = 150'000;
 
  private:

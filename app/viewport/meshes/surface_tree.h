@@ -9,17 +9,17 @@
 
 namespace hapticell::app {
 
-/// Triangles of a display mesh, to ask how far a point is from them. Boxes over runs of a Morton order: quickly made,
-/// in single precision. Any thread.
+/// Triangles of a display mesh, for distance queries. Boxes over ranges of a Morton order: quick to build, in single
+/// precision. Any thread.
 class SurfaceTree {
  public:
   /// `vertices` must outlive it.
   SurfaceTree(const std::vector<DisplayVertex>& vertices, std::span<const std::uint32_t> indices);
-  /// Metres from p to the nearest triangle, as far as it matters: a distance of `enough` or less may be returned for any
-  /// triangle that is so near. Infinite without triangles. `near` makes it quick for points beside each other: 0 at
-  /// first, then what the last call left there.
+  /// Distance from p to the nearest triangle, metres. Once it is known to be `enough` or less, the distance of any such
+  /// triangle may be returned. Infinite without triangles. `near` speeds up queries for neighbouring points: set it to
+  /// 0 at first, then pass what the last call left in it.
   double distance(const fvec3& p, double enough, std::size_t& near) const;
-  /// Its triangles in an order in which neighbours in space follow each other, three indices each.
+  /// Its triangles, ordered so that neighbours in space are adjacent; three indices each.
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
  private:
@@ -29,12 +29,12 @@ class SurfaceTree {
   float squaredToLeaf(const fvec3& p, std::size_t leaf) const;
   const std::vector<DisplayVertex>& vertices_;
   std::vector<std::uint32_t> indices_;
-  std::vector<Box> boxes_;  ///< A heap: 1 is all; the leaves begin at first_leaf_.
+  std::vector<Box> boxes_;  ///< A heap: 1 is the root; the leaves begin at first_leaf_.
   std::size_t first_leaf_ = 1;
 };
 
-/// How far the triangles of `from` are from the surface, metres, and `least` where it is less: their corners, middles
-/// and, where they are large, points between are looked at; of very many small ones some.
+/// Largest distance of the triangles of `from` from the surface, metres, at least `least`. Samples their corners,
+/// middles and, for large ones, points between; of very many small ones, only some.
 double deviation(const std::vector<DisplayVertex>& vertices, std::span<const std::uint32_t> from,
                  const SurfaceTree& surface, double least);
 

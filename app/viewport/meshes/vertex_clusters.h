@@ -5,10 +5,10 @@
 
 namespace hapticell::app {
 
-/// The mesh with all vertices of a cell of a grid drawn together into their middle (Rossignac and Borrel,
-/// "Multi-resolution 3D approximations for rendering complex scenes", 1993): `cells` along its longest side. One pass:
-/// some 0.1 s for a million triangles. What is thinner than a cell may vanish; no vertex moves further than a cell's
-/// diagonal. Any thread.
+/// The mesh with all vertices in a cell of a grid merged at their middle (Rossignac and Borrel, "Multi-resolution 3D
+/// approximations for rendering complex scenes", 1993); `cells` along its longest side. One pass: about 0.1 s per
+/// million triangles. What is thinner than a cell may vanish; no vertex moves further than a cell's diagonal. Any
+/// thread.
 geometry::TriangleMesh clustered(const geometry::TriangleMesh& mesh, int cells);
 
 }  // namespace hapticell::app

@@ -11,7 +11,7 @@
 
 namespace hapticell::app {
 
-// Pixels at 100 %. What lies behind the eye is left out.
+// Pixels at 100 %. Points behind the eye are left out.
 
 /// Paints the curve with its halo, without its text.
 void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera, const ViewSize& size,
@@ -20,13 +20,13 @@ void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera
 /// Paints the curve's text in a box of curveTextSize().
 void paintCurveText(QPainter& painter, const SceneCurve& curve, const QRectF& box, const Theme& theme);
 QSizeF curveTextSize(const SceneCurve& curve);
-/// The end that its text stands beside; nothing where it has no text or the end is not before the eye.
+/// The end of the curve where its text is; empty if it has no text or the end is behind the eye.
 std::optional<QPointF> curveTextPoint(const SceneCurve& curve, const Camera& camera, const ViewSize& size);
 
-/// The pieces of the curve that are seen.
+/// The visible pieces of the curve.
 std::vector<QPolygonF> seenRuns(const SceneCurve& curve, const Camera& camera, const ViewSize& size);
 
-/// The box of the view that holds what paintCurve() paints; empty where nothing is seen.
+/// The bounding box in the view of what paintCurve() paints; empty if nothing is visible.
 QRectF curveBox(const SceneCurve& curve, const Camera& camera, const ViewSize& size);
 
 }  // namespace hapticell::app

@@ -24,16 +24,16 @@ struct PixelBox {
 struct PixelLine {
   glm::dvec2 from{0.0}, to{0.0};
   double room = 6.0;  ///< On either side of it.
-  /// Whether it comes nearer to the box than its room (as a square about each of its points).
+  /// True if the line comes closer to the box than `room` (as a square about each of its points).
   bool reaches(const PixelBox& box) const;
 };
 
-/// A label that wants a place near its point.
+/// A label to be placed near its point.
 struct LabelWish {
   std::uint64_t key = 0;   ///< The same label has the same key in the next frame.
-  glm::dvec2 anchor{0.0};  ///< Pixel of the point that it speaks of.
+  glm::dvec2 anchor{0.0};  ///< Pixel of the point that it belongs to.
   glm::dvec2 size{0.0};    ///< Pixels.
-  /// A short text right beside its point, so many pixels away, with no leader; 0: a label with one.
+  /// A short text next to its point, at this distance in pixels, without a leader; 0: a label with a leader.
   double gap = 0.0;
 };
 
@@ -44,29 +44,29 @@ struct PlacedLabel {
   bool right_of_point = true;
 };
 
-/// What labels keep free.
+/// Areas that labels must not cover.
 struct KeptFree {
-  std::vector<PixelBox> boxes;   ///< Always.
-  std::vector<PixelLine> lines;  ///< Where there is another place: handles, arrows, pens.
+  std::vector<PixelBox> boxes;   ///< Always kept free.
+  std::vector<PixelLine> lines;  ///< Kept free if there is another position: handles, arrows, pens.
 };
 
-/// Places labels beside their points: they stay on the side they had, and move only when they would cover their point,
-/// another label, what is kept free or the border; a new place is reached within 120 ms. Two labels never overlap, on
-/// their way neither: one that has no place is not shown.
+/// Places labels next to their points: they stay on their side and move only if they would cover their point, another
+/// label, an area that is kept free or the border; they reach a new position within 120 ms. Two labels never overlap,
+/// not even while moving: a label without a free position is not shown.
 class LabelLayout {
  public:
-  /// Places `wishes` (first one has the best choice) for a frame that comes `seconds` after the one before.
+  /// Places `wishes` (the first one has the first choice) for a frame that is `seconds` after the previous one.
   /// With `motion` off, labels jump.
   std::vector<PlacedLabel> place(const std::vector<LabelWish>& wishes, const KeptFree& keep_free, const ViewSize& size,
                                  double seconds, bool motion = true);
-  /// True while a label is still on its way.
+  /// True while a label is still moving.
   bool moving() const { return moving_; }
 
  private:
   struct Memory {
     std::uint64_t key = 0;
-    glm::dvec2 offset{0.0};  // Of the box's corner from the anchor: where it shall be.
-    glm::dvec2 shown{0.0};   // Where it is drawn.
+    glm::dvec2 offset{0.0};  // Target of the box's corner relative to the anchor.
+    glm::dvec2 shown{0.0};   // Where it is drawn now.
     bool right = true;
   };
   const Memory* remembered(std::uint64_t key) const;
@@ -75,8 +75,8 @@ class LabelLayout {
   bool moving_ = false;
 };
 
-/// The leader from a label to its point: from the middle of the side that faces it, level first, then straight; from
-/// above or below straight.
+/// The leader from a label to its point: from the middle of the nearest side, first horizontal, then straight to the
+/// point; from the top or bottom side, straight.
 std::vector<glm::dvec2> leaderOf(const PlacedLabel& label);
 
 }  // namespace hapticell::app

@@ -10,25 +10,25 @@
 
 namespace hapticell::app {
 
-// Boxes of words over the scene: labels with their leaders, and strips of values. Pixels at 100 %; GUI thread.
+// Text boxes over the scene: labels with their leaders, and strips of values. Pixels at 100 %; GUI thread.
 
 /// Size of a label's box for layout.
 QSizeF labelSize(const OverlayLabel& label);
 void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel& place, const Theme& theme);
 
-/// Strips one over the other, the first at the bottom.
+/// Strips above each other, the first at the bottom.
 using Strips = std::vector<std::vector<StripCell>>;
-/// The box that holds all strips in the viewport; empty for none.
+/// The bounding box of all strips in the viewport; empty without strips.
 QRectF stripsBox(const Strips& strips, const ViewSize& size);
 void paintStrips(QPainter& painter, const Strips& strips, const ViewSize& size, const Theme& theme);
 
-/// The mark of a state, as everywhere: a filled diamond, an open triangle, an H.
+/// The mark of a state, the same everywhere: a filled diamond, an open triangle, an H.
 void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme);
 QColor markColor(Mark mark, const Theme& theme);
 
-/// The background of words over the scene.
+/// The background of text over the scene.
 void paintBox(QPainter& painter, const QRectF& box, const Theme& theme);
-/// A line with its halo below it.
+/// A line on top of its halo.
 void haloLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, const QColor& halo);
 
 QPointF point(const glm::dvec2& p);

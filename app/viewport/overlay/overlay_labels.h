@@ -12,40 +12,40 @@
 
 namespace hapticell::app {
 
-/// What is said at a place in the scene: a mark and a number first, then who it is about.
+/// A label for a point of the scene: a mark and a number first, then the names.
 struct OverlayLabel {
   std::uint64_t key = 0;
   Mark mark = Mark::kNone;
   std::string number;   ///< "6.4 mm", "Contact"
   std::string names;    ///< "Gripper G2 – Clamp tower B"
-  dvec3 p_WQ{0.0};      ///< What the leader points at.
-  std::string title{};  ///< Beside the number; empty: none.
-  int band = -1;        ///< A patch in a score's colour and pattern (0 to 3) in place of the mark.
+  dvec3 p_WQ{0.0};      ///< Where the leader points.
+  std::string title{};  ///< Next to the number; empty: none.
+  int band = -1;        ///< A patch in a score's colour and pattern (0 to 3) replaces the mark.
   bool operator==(const OverlayLabel&) const = default;
 };
 
-/// Of the snapshot at most three: the contact, the nearest free pair, the limit.
+/// At most three of the snapshot: the contact, the nearest free pair, the limit.
 std::vector<OverlayLabel> overlayLabels(const SceneModel& scene);
 
-/// Length of the force arrow in pixels at 100 %: 40 and 80 a newton, at most 200; 0 below 0.05 N faded out by
-/// forceArrowOpacity().
+/// Length of the force arrow in pixels at 100 %: 40 plus 80 per newton, at most 200; 0 below 0.05 N, where
+/// forceArrowOpacity() has faded it out.
 double forceArrowLength(double newtons);
 double forceArrowOpacity(double newtons);
 
-/// Keys of the texts that have no leader: the force's number, and the texts of curves, one after the other.
+/// Keys of the texts without a leader: the force's number, and the texts of curves, one after the other.
 inline constexpr std::uint64_t kForceKey = 4, kCurveKeys = std::uint64_t{1} << 32;
 
-/// The force as it is seen: pixels at 100 %.
+/// The force arrow as drawn: pixels at 100 %.
 struct ForceArrow {
   glm::dvec2 from{0.0}, tip{0.0};
   double opacity = 1.0;
   std::string number;  ///< "1.4 N"
 };
-/// Nothing where there is no force, or it lies behind the eye.
+/// Empty if there is no force, or if it is behind the eye.
 std::optional<ForceArrow> forceArrow(const manipulation::SceneSnapshot& snapshot, const Camera& camera,
                                      const ViewSize& size);
 
-/// Where the force arrow starts: the nearest contact, or the stylus's tip while nothing touches.
+/// Start of the force arrow: the nearest contact, or the stylus's tip if nothing touches.
 dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot);
 
 }  // namespace hapticell::app

@@ -23,9 +23,9 @@ struct Ray {
 
 enum class StandardView { kFront, kBack, kRight, kLeft, kTop, kBottom, kIsometric };
 
-/// Position of the eye: a turntable about a target with Z up. A value; all arithmetic of looking, no OpenGL.
+/// Position of the eye: a turntable about a target with Z up. A value; all computations of the view, no OpenGL.
 ///
-/// Azimuth 0 looks along +Y (front), positive turns the eye to the right (towards +X). Elevation is that of the eye
+/// Azimuth 0 looks along +Y (front); positive moves the eye to the right (towards +X). Elevation is that of the eye
 /// above the target, within ±90 degrees. Screen axes: x to the right, y up, z towards the eye.
 class Camera {
  public:
@@ -42,37 +42,37 @@ class Camera {
   dvec3 forward_W() const;  ///< Unit, from the eye into the scene.
 
   glm::dmat4 viewMatrix() const;
-  /// Depth range that just encloses `scene_W`, so that depth keeps its precision.
+  /// Depth range that just encloses `scene_W`, for the best depth precision.
   glm::dmat4 projectionMatrix(const ViewSize& size, const geometry::Bounds& scene_W) const;
 
-  /// Pixel of a point; nothing when it lies behind the eye.
+  /// Pixel of a point; empty if it is behind the eye.
   std::optional<glm::dvec2> project(const dvec3& p_WQ, const ViewSize& size) const;
   Ray rayThrough(const glm::dvec2& pixel, const ViewSize& size) const;
   /// Metres in the cell that one pixel covers at a point.
   double metresPerPixel(const dvec3& p_WQ, const ViewSize& size) const;
 
-  /// Turns by a drag of so many pixels about a pivot that stays where it is in the picture.
+  /// Turns by a drag of so many pixels about a pivot, which keeps its position in the picture.
   void orbit(const glm::dvec2& pixels, const dvec3& pivot_W);
   /// Shifts so that a point at the depth of `p_WQ` follows the cursor.
   void pan(const glm::dvec2& pixels, const dvec3& p_WQ, const ViewSize& size);
   /// Moves the eye by a factor (< 1: nearer) so that `p_WQ` keeps its pixel.
   void zoom(double factor, const dvec3& p_WQ);
 
-  /// The same direction, moved until the box fills the view less a margin. An empty box changes nothing.
+  /// The same direction, moved until the box fills the view except for a margin. An empty box changes nothing.
   Camera fitted(const geometry::Bounds& bounds_W, const ViewSize& size) const;
-  /// The same for points: the nearest place of the eye that sees them all.
+  /// The same for points: the nearest position of the eye from which all are visible.
   Camera fitted(const std::vector<dvec3>& points_W, const ViewSize& size) const;
   Camera turnedTo(StandardView view) const;
-  /// The eye at one point, looking at another, as saved views are kept. Points that coincide change nothing.
+  /// The eye at one point, looking at another one, as stored for saved views. Coincident points change nothing.
   Camera looking(const dvec3& p_WEye, const dvec3& p_WTarget) const;
   /// Looking along a direction (from the eye into the scene, W).
   Camera turnedTo(const dvec3& direction_W) const;
 };
 
-/// The camera between two, `s` in [0, 1]; turns the short way round.
+/// The camera between two, `s` in [0, 1]; turns in the shorter direction.
 Camera interpolate(const Camera& from, const Camera& to, double s);
 
-/// Ease in and out: 0 at 0, 1 at 1, level at both ends.
+/// Eases in and out: 0 at 0, 1 at 1, zero slope at both ends.
 double eased(double s);
 
 }  // namespace hapticell::app

@@ -5,12 +5,12 @@
 
 namespace hapticell::app {
 
-/// Whether parts are drawn in their own colours; else in quiet ones, so that the colours of states are loud. Belongs to
-/// the application as the units do; may be asked by any thread.
+/// Whether parts are drawn in their own colours; else in quiet ones, so that the colours of states stand out. Belongs
+/// to the application, like the units; any thread may ask.
 bool fullColorsNow();
 void setFullColorsNow(bool full);
 
-/// What a part of this colour is drawn with.
+/// The colour with which a part of this colour is drawn.
 std::array<float, 3> partColor(const std::array<float, 3>& own);
 
 }  // namespace hapticell::app

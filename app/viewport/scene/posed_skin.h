@@ -13,20 +13,20 @@
 
 namespace hapticell::app {
 
-/// The skin of one figure for drawing: all triangles with the same appearance are one item, in the figure's frame.
-/// Appearances seldom change, so the triangles are collected again only then; each picture updates only positions and
+/// The skin of a mannequin for drawing: all triangles with the same appearance are one item, in the mannequin's
+/// frame. Appearances seldom change, so triangles are regrouped only then; each picture updates only positions and
 /// normals.
 class PosedSkin {
  public:
   explicit PosedSkin(std::shared_ptr<const mannequin::FigureSkin> skin) : skin_(std::move(skin)) {}
 
-  /// How a body is drawn: marks, and in place of its clothes' colours its own where it has one.
+  /// How a body is drawn: marks, and its own colour, if any, in place of its clothes' colours.
   struct BodyLook {
     std::uint32_t state = kPlain;
     std::optional<LinkLook> own = {};
     bool operator==(const BodyLook&) const = default;
   };
-  /// `bodies`: one for each, as mannequin::fleshOf() counts them. The items are the same as long as nothing changes.
+  /// `bodies`: one entry for each, in the order of mannequin::fleshOf(). The items stay the same while nothing changes.
   const std::vector<RenderItem>& items(const mannequin::Posture& posture, const std::vector<BodyLook>& bodies);
 
  private:

@@ -16,7 +16,7 @@ struct SceneCurve {
   Role role = Role::kGuide;
   Style style = Style::kDashDot;
   double width = 2.0;     ///< Pixels at 100 %.
-  std::string text = {};  ///< Beside its last point; empty: none.
+  std::string text = {};  ///< Next to its last point; empty: none.
   bool operator==(const SceneCurve&) const = default;
 };
 

@@ -7,8 +7,8 @@
 
 namespace hapticell::app {
 
-/// The parts of the drawn stylus in its own frame S, metres: tip at the origin, the pen rises to the right, towards the
-/// user, as a right hand holds it. One metre of it is one length of the pen.
+/// The parts of the drawn stylus in its own frame S: tip at the origin, the pen rises to the right and towards the
+/// user, as a right hand holds it. The unit is the length of the pen.
 struct StylusMesh {
   std::shared_ptr<const geometry::TriangleMesh> body;
   std::shared_ptr<const geometry::TriangleMesh> band;  ///< In the selection colour.
@@ -16,7 +16,7 @@ struct StylusMesh {
 
 StylusMesh makeStylusMesh();
 
-/// The unit direction of the pen from its tip, in S.
+/// The unit direction of the pen, away from its tip, in S.
 dvec3 stylusDirection_S();
 
 }  // namespace hapticell::app

@@ -16,24 +16,24 @@ namespace hapticell::app {
 
 struct EdgeChain;
 
-/// Finds the face, edge or corner of a part that a pixel means.
+/// Finds the face, edge or corner of a part at a pixel.
 ///
-/// How dialogs use it: ViewportWidget::startPick() (see PickRequest there). This class is the arithmetic behind it: no
-/// OpenGL, no widgets. The id buffer says which part is seen; its triangle is found by a ray; about that triangle the
-/// smooth surroundings are flooded (at most kFloodLimit triangles, so that a part of millions costs no more than one of
-/// thousands), their surfaces recognised (collision/surfaces/surface_recognition.h), and the face's borders are its
-/// edges. Chains of border edges are fitted by lines and circles. What was last looked at is kept, so hovering is
-/// cheap. One thread.
+/// Dialogs use it by ViewportWidget::startPick() (see PickRequest there). This class has the computation: no OpenGL, no
+/// widgets. The id buffer gives the visible part; a ray finds its triangle; a flood fill collects the smooth
+/// surroundings of that triangle (at most kFloodLimit triangles, so that a part of millions costs no more than one of
+/// thousands); their surfaces are recognised (collision/surfaces/surface_recognition.h), and the face's borders are its
+/// edges. Lines and circles are fitted to chains of border edges. The last results are kept, so hovering is cheap. One
+/// thread.
 class FeaturePicker {
  public:
-  /// Triangles about the pointer, time of a hover. Half: large faces are known by their middle only; twice: it lags.
+  /// Triangles around the pointer, for quick hovers. Half: only the middle of large faces is known; twice: it lags.
   static constexpr std::size_t kFloodLimit = 4000;
-  /// So near a corner is taken; as a hand aims by mouse. Half: hard to meet; twice: edges beside it cannot be taken.
+  /// Distance at which a corner is picked, for aiming by mouse. Half: hard to hit; twice: edges at it cannot be picked.
   static constexpr double kVertexPixels = 10.0;
-  /// So near an edge, less than a corner, which lies on it. Half: hard to meet; twice: small faces cannot be taken.
+  /// The same for an edge; less than for a corner on it. Half: hard to hit; twice: small faces cannot be picked.
   static constexpr double kEdgePixels = 7.0;
 
-  /// What was asked: the items of one entity and link (from the id buffer), and the pixel.
+  /// The query: the items of one entity and link (from the id buffer), and the pixel.
   struct Question {
     const std::vector<RenderItem>* items = nullptr;
     workcell::EntityId entity = 0;
@@ -42,12 +42,12 @@ class FeaturePicker {
     ViewSize size;
     glm::dvec2 pixel{0.0};
     FeatureFilter filter;
-    std::optional<SectionPlane> section = {};  ///< What it cuts away is not picked.
+    std::optional<SectionPlane> section = {};  ///< What it cuts away cannot be picked.
   };
   FeaturePicker();
   ~FeaturePicker();
 
-  /// Nothing where the ray meets no triangle of those items or the filter leaves nothing.
+  /// Empty if the ray meets no triangle of those items or the filter leaves nothing.
   std::optional<PickedFeature> pick(const Question& question);
 
  private:
@@ -69,7 +69,7 @@ class FeaturePicker {
   std::shared_ptr<const Incidence> incidenceOf(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
   const Patch& patchAbout(const Hit& hit, const collision::Ray& ray_M);
 
-  std::list<std::shared_ptr<const Incidence>> incidences_;  // Of the meshes last picked, newest first.
+  std::list<std::shared_ptr<const Incidence>> incidences_;  // Of the last picked meshes, newest first.
   std::unique_ptr<Patch> patch_;
 };
 

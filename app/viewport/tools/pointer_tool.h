@@ -9,27 +9,27 @@
 
 namespace hapticell::app {
 
-/// What the pointer did over the viewport.
+/// An action of the pointer over the viewport.
 struct PointerEvent {
   glm::dvec2 pixel{0.0};                  ///< At 100 %, origin top left.
-  Qt::MouseButton button = Qt::NoButton;  ///< That caused it.
+  Qt::MouseButton button = Qt::NoButton;  ///< The button that caused it.
   Qt::MouseButtons buttons;               ///< Held now.
   Qt::KeyboardModifiers modifiers;
-  double wheel_steps = 0.0;  ///< Away from the user positive.
+  double wheel_steps = 0.0;  ///< Positive away from the user.
   Camera camera;
   ViewSize size;
 };
 
-/// Something that takes the pointer before the viewport's own gestures: a module's tool. GUI thread.
+/// Something that gets the pointer before the viewport's own gestures: a module's tool. GUI thread.
 class PointerTool {
  public:
   virtual ~PointerTool() = default;
-  /// Each answers true when it used the event; the viewport then does nothing with it.
+  /// Each returns true if it used the event; the viewport then ignores it.
   virtual bool press(const PointerEvent& event) = 0;
   virtual bool move(const PointerEvent& event) = 0;
   virtual bool release(const PointerEvent& event) = 0;
   virtual bool wheel(const PointerEvent& event) = 0;
-  /// One quiet line for the viewport: what the pointer does now; empty for nothing.
+  /// One line for the viewport, in quiet text: what the pointer does now; empty for nothing.
   virtual QString hint() const { return {}; }
 };
 

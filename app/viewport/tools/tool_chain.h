@@ -7,12 +7,12 @@
 
 namespace hapticell::app {
 
-/// Tools that share the pointer: the gizmo of what is selected is asked first, then the panels' handles in the scene,
-/// then the module's tool. What took a press keeps the pointer until the last button is up.
+/// Tools that share the pointer: first the gizmo of the selection is asked, then the panels' handles in the scene, then
+/// the module's tool. The tool that accepts a press keeps the pointer until the last button is released.
 class ToolChain final : public PointerTool {
  public:
   enum Place { kGizmo, kHandles, kFigure, kMotion, kModule };
-  /// Null takes it away. The tool must outlive its being set.
+  /// Null removes the tool. It must outlive the time it is set.
   void set(Place place, PointerTool* tool) {
     if (active_ == tools_[place]) active_ = nullptr;
     tools_[place] = tool;

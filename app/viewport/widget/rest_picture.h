@@ -3,9 +3,9 @@
 
 namespace hapticell::app {
 
-/// In which order a picture at rest is refined, piece by piece, so that the window answers in between: each sample is
-/// first its shadows, then horizontal bands; both in as many pieces as they need. Bands cost time (parts of a band are
-/// drawn again for the next), but what cannot be cut otherwise gets shorter by them: their number follows that. No
+/// The order in which a picture at rest is refined, piece by piece, so that the window stays responsive: for each
+/// sample first the shadows, then horizontal bands, both in as many pieces as they need. Bands cost time (parts at a
+/// border are drawn in both bands), but they shorten what cannot be divided otherwise; their number depends on that. No
 /// OpenGL.
 class RestPicture {
  public:
@@ -13,28 +13,28 @@ class RestPicture {
     bool shadows = false;  ///< A piece of the sample's shadow map; else a band of the sample.
     int sample = 0, band = 0, bands = 1;
   };
-  /// `most_samples`: after so many the picture is finished; `piece_s`: what a piece may take at most.
+  /// `most_samples`: the picture is finished after so many; `piece_s`: longest time of a piece.
   RestPicture(int most_samples, double piece_s) : most_samples_(most_samples), piece_s_(piece_s) {}
 
-  /// Another picture: from the first sample on. The number of bands is kept.
+  /// Starts another picture with its first sample. Keeps the number of bands.
   void begin();
   Piece next() const;
-  /// What became of a piece.
+  /// The result of a piece.
   struct Done {
     double seconds = 0.0;
     bool whole = true;           ///< The shadows, or the band, are finished.
-    double longest_least = 0.0;  ///< Seconds of what could not be cut.
+    double longest_least = 0.0;  ///< Seconds of what could not be divided.
   };
-  /// Tells it. True at the end of a sample: now there is something new to be shown.
+  /// Reports the result of a piece. True at the end of a sample, when there is something new to show.
   bool took(const Done& done);
-  /// All samples are there; or enough for a renderer that is so slow.
+  /// True if all samples are done, or enough for a slow renderer.
   bool isFinished() const;
 
  private:
-  /// s that refining one picture may take in all (docs/dev/window.md). Half: slow machines show steps in shadows;
-  /// twice: twice the fan.
+  /// s; total time for refining one picture (docs/dev/window.md). Half: slow machines show steps in shadows; twice:
+  /// twice the time with a noisy fan.
   static constexpr double kRestSeconds = 6.0;
-  /// But so many samples it has. Half: edges are rough; twice: slow machines take longer than 6 s.
+  /// Minimum number of samples. Half: edges are rough; twice: slow machines take longer than 6 s.
   static constexpr int kLeastSamples = 4;
   int most_samples_;
   double piece_s_;

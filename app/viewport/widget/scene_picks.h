@@ -15,17 +15,17 @@ namespace hapticell::app {
 class ViewPicture;
 class ViewportWidget;
 
-/// What lies at a place or in a box of the viewport, and the pick of a face, an edge or a corner that a dialog asked
-/// for. Places in pixels at 100 %; GUI thread.
+/// What is at a point or in a box of the viewport, and the pick of a face, an edge or a corner that a dialog asked for.
+/// Points in pixels at 100 %; GUI thread.
 class ScenePicks {
  public:
   /// Both must outlive it.
   ScenePicks(ViewportWidget& view, ViewPicture& picture) : view_(view), picture_(picture) {}
 
   std::optional<PickedPoint> pickAt(const QPointF& position);
-  /// Frames come before parts; 0: nothing.
+  /// The entity at a point; frames are preferred to parts; 0: none.
   workcell::EntityId entityAt(const QPointF& position);
-  /// Over the background: the point of the ray at the depth of the camera's target.
+  /// The point of the scene under the pointer; over the background, the point at the depth of the camera's target.
   dvec3 pointUnder(const QPointF& position);
   /// See ViewportWidget.
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter);
@@ -33,13 +33,13 @@ class ScenePicks {
                                            const FeatureFilter& filter);
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
 
-  /// The pick that was asked for; a pick that is still open is answered with nothing first.
+  /// Starts a pick; an open pick is first answered with an empty result.
   void start(PickRequest request);
   void cancel();
-  /// Answers the open pick; without one nothing happens.
+  /// Answers the open pick; does nothing without one.
   void answer(const std::optional<PickedFeature>& feature);
   const std::optional<PickRequest>& open() const { return open_; }
-  /// What a click would take now.
+  /// Shows what a click would pick now.
   void hover(const std::optional<PickedFeature>& feature);
   const std::optional<PickedFeature>& hovered() const { return hovered_; }
 

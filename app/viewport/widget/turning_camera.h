@@ -7,33 +7,33 @@
 
 namespace hapticell::app {
 
-/// The camera of a view, and its way of 250 ms to another one. GUI thread.
+/// The camera of a view, and its animation of 250 ms to another camera. GUI thread.
 class TurningCamera {
  public:
-  Camera now;  ///< As the scene is seen.
+  Camera now;  ///< The camera of the present picture.
 
-  /// Goes to it from where it is now.
+  /// Starts a turn from the present camera.
   void turnTo(const Camera& camera) {
     from_ = now;
     goal_ = camera;
     clock_.start();
     turning_ = true;
   }
-  /// Is there at once.
+  /// Sets the camera at once.
   void set(const Camera& camera) {
     turning_ = false;
     now = camera;
   }
-  /// Stays where it is.
+  /// Stops at the present camera.
   void stop() { turning_ = false; }
   bool isTurning() const { return turning_; }
-  /// Where it will be at the end.
+  /// The camera at the end of the turn.
   const Camera& goal() const { return turning_ ? goal_ : now; }
   void setPerspective(bool on) { now.perspective = goal_.perspective = on; }
-  /// To be called before each frame; false where it does not turn.
+  /// Call it before each frame; false if it is not turning.
   bool advance() {
     if (!turning_) return false;
-    // s of a turn to another view: one sees which way. Half: a jump; twice: one waits.
+    // s; duration of a turn to another view, so that its direction is visible. Half: a jump; twice: the user waits.
     constexpr double kTurnSeconds = 0.25;
     const double s = static_cast<double>(clock_.elapsed()) / 1000.0 / kTurnSeconds;
     now = s >= 1.0 ? goal_ : interpolate(from_, goal_, eased(s));

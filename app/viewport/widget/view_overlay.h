@@ -31,29 +31,29 @@ class ViewOverlay {
   void setViewStrip(std::vector<ViewStripCell> cells) { view_strip_.setCells(std::move(cells)); }
   const ViewStrip& viewStrip() const { return view_strip_; }
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
-  /// Curves, labels and the figure's strip are dropped.
+  /// Drops curves, labels and the mannequin's strip.
   void forgetCell();
 
-  /// The strip or a label would say something else than is drawn.
+  /// True if the strip or a label would show other text than is drawn.
   bool hasNewNumbers() const { return spokenNumbers() != drawn_numbers_; }
-  /// A label is still on its way.
+  /// True while a label is still moving.
   bool isMoving() const { return layout_.moving(); }
-  /// Paints all of it onto the view, in paintGL().
+  /// Paints everything onto the view, in paintGL().
   void paint();
-  /// Paints all of it onto a picture of the view, labels at the end of their way.
+  /// Paints everything onto a picture of the view, with labels at their final positions.
   void paintStill(QPainter& painter);
 
  private:
   KeptFree keptFree(const Overlay& overlay) const;
   std::vector<PlacedLabel> placeLabels(const Overlay& overlay, const KeptFree& kept);
   Overlay make();
-  /// What the strip and the labels say of the snapshot, to be compared with what is drawn.
+  /// What strip and labels show of the snapshot, to be compared with what is drawn.
   std::vector<StripCell> spokenNumbers() const;
   Strips strips() const;
 
   ViewportWidget& view_;
   LabelLayout layout_;
-  QImage image_;  ///< What is painted over the scene; only its pieces of now are valid.
+  QImage image_;  ///< What is painted over the scene; only its present pieces are valid.
   double last_s_ = 0.0;
   std::vector<StripCell> drawn_numbers_;
   std::vector<PlacedLabel> drawn_labels_;

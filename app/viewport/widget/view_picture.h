@@ -18,37 +18,37 @@ namespace hapticell::app {
 
 class ViewportWidget;
 
-/// How the viewport draws the scene: frames while something moves, the picture at rest in pieces, pictures for others.
+/// How the viewport draws the scene: frames during motion, the picture at rest in pieces, and pictures for other uses.
 /// GUI thread.
 class ViewPicture : public QObject {
  public:
   /// The view must outlive it.
   explicit ViewPicture(ViewportWidget& view);
 
-  /// In the view's new OpenGL context, which is current.
+  /// Call it in the view's new OpenGL context, made current.
   void begin();
-  /// Before the context ends.
+  /// Call it before the context ends.
   void end();
-  /// Of the clock that all times here are of.
+  /// Present time of the clock that all times here refer to.
   double seconds() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }
-  /// Draws the scene where it moved, else shows the picture again; in paintGL(), before the overlay.
+  /// Draws the scene if it changed, else shows the picture again; in paintGL(), before the overlay.
   void draw();
-  /// paintGL() ends, which began at `start` (seconds()): what comes next.
+  /// Call it at the end of a paintGL() that began at `start` (seconds()): decides what follows.
   void painted(double start);
-  /// What is shown of the scene changed, or its colours did.
+  /// The shown scene or its colours changed.
   void markDirty() { dirty_ = true; }
-  /// Contacts that were felt before now could not be seen.
+  /// Ignores contacts that were felt before now: they could not be seen.
   void skipTouches();
 
   /// See ViewportWidget.
   bool isFinished() const;
   bool hasWhole(std::uint64_t revision) const;
-  /// The scene was drawn last at this revision.
+  /// True if the last drawn scene has this revision.
   bool shows(std::uint64_t revision) const { return revision == drawn_revision_; }
-  /// All samples of the picture, without overlay; null where nothing can be drawn.
+  /// All samples of the picture, without overlay; null if nothing can be drawn.
   QImage finished();
   std::vector<double> measureFrames(int count);
-  /// What lies under a pixel of the screen.
+  /// What is under a pixel of the screen.
   std::optional<PickedPoint> pick(int x, int y);
   std::size_t missingParts() const { return renderer_ ? renderer_->missingParts() : 0; }
   const FrameMeter& meter() const { return meter_; }
@@ -63,18 +63,18 @@ class ViewPicture : public QObject {
   void showNewPart();
   bool touchMatters() const;
   void refineStep();
-  bool refine(double now);  ///< One piece of the picture at rest; true at the end of a sample.
+  bool refine(double now);  ///< Draws one piece of the picture at rest; true at the end of a sample.
 
   ViewportWidget& view_;
   Gl gl_;
   std::unique_ptr<SceneRenderer> renderer_;
-  /// What a frame may take: for the window's 10 Hz; and while contacts can be felt, so that they are seen within 50 ms:
-  /// one frame may be on its way when it comes, the next one shows it, and the window puts each together.
-  /// s of a frame in motion: 10 Hz with room for the rest of the window; 60 Hz while contacts can be felt
-  /// (docs/dev/window.md). Half: coarser; twice: below 10 Hz.
+  /// s; time for a frame in motion (docs/dev/window.md): 10 Hz with room for the rest of the window; 60 Hz
+  /// while contacts can be felt, so that they are seen within 50 ms (one frame may be in progress when a
+  /// contact is felt, the next one shows it, and the window composes each of them). Half: coarser; twice: below
+  /// 10 Hz.
   static constexpr double kFrameSeconds = 0.055, kTouchFrameSeconds = 0.018;
-  DetailGovernor governor_{kFrameSeconds, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
-  /// s of a picture at rest between two looks for events: not felt. Half: more pieces; twice: keys and mouse lag.
+  DetailGovernor governor_{kFrameSeconds, DetailLevel::kHalfSize};  ///< So that the first picture is quick too.
+  /// s of a picture at rest between two checks for events: not noticed. Half: more pieces; twice: keys and mouse lag.
   static constexpr double kPieceSeconds = 0.03;
   RestPicture rest_{SceneRenderer::kSamples, kPieceSeconds};
   FrameMeter meter_;
@@ -84,7 +84,7 @@ class ViewPicture : public QObject {
   std::uint64_t drawn_revision_ = 0;
   Camera drawn_camera_;
   QSize drawn_pixels_;
-  bool dirty_ = true;  ///< Theme or what is shown of the scene changed, or a part came.
+  bool dirty_ = true;  ///< Theme or shown scene changed, or a part became ready.
   double last_motion_s_ = 0.0;
   QTimer refine_;
 };

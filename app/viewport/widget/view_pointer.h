@@ -19,18 +19,18 @@ class ScenePicks;
 class TurningCamera;
 class ViewportWidget;
 
-/// What the pointer's place and drag show over the scene.
+/// What the pointer's position and drag show over the scene.
 struct PointerMarks {
   std::optional<ViewCubeSpot> cube;
-  int view_strip_cell = -1;   ///< Or -1.
-  std::optional<QRectF> box;  ///< Drawn by the mouse to choose what lies in it,
+  int view_strip_cell = -1;   ///< -1: none.
+  std::optional<QRectF> box;  ///< Selection box of the mouse: selects what is inside,
   bool box_touching = false;  ///< or what it touches.
-  QString name;               ///< What the pointer is over; empty: nothing, or a drag.
+  QString name;               ///< What the pointer is over; empty: nothing, or during a drag.
   QPointF name_place;
 };
 
-/// The pointer over the viewport: it turns, shifts and zooms the camera, picks, drags the view cube and the section,
-/// and serves the tools before all of these. GUI thread.
+/// The pointer over the viewport: it turns, pans and zooms the camera, picks, and drags the view cube and the section
+/// plane; tools are served before all of these. GUI thread.
 class ViewPointer {
  public:
   /// All must outlive it.
@@ -41,7 +41,7 @@ class ViewPointer {
   void release(QMouseEvent* event);
   void doubleClick(QMouseEvent* event);
   void turnWheel(QWheelEvent* event);
-  /// A touchpad's two fingers spread by this part of their distance.
+  /// Two fingers on a touchpad spread by this fraction of their distance.
   void pinch(double spread, const QPointF& position);
   void leave();
 

@@ -24,9 +24,9 @@ class ViewOverlay;
 class ViewPicture;
 class ViewPointer;
 
-/// The scene in the window. How the mouse moves the camera is a Navigation; what it leaves free picks: a click one
-/// entity, a drag all in a box. Tools (ToolChain) come before these. Its parts: ViewPicture draws, ViewOverlay paints
-/// over it, ViewPointer serves the mouse, ScenePicks finds what lies under it. GUI thread only.
+/// The scene in the window. A Navigation defines how the mouse moves the camera; buttons that it does not use select: a
+/// click one entity, a drag all in a box. Tools (ToolChain) have priority. Its parts: ViewPicture draws, ViewOverlay
+/// paints over it, ViewPointer serves the mouse, ScenePicks finds what is under it. GUI thread only.
 class ViewportWidget : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -35,14 +35,14 @@ class ViewportWidget : public QOpenGLWidget {
 
   SceneModel& scene() { return scene_; }
   const Camera& camera() const { return camera_.now; }
-  /// Turns to it within 250 ms, or at once.
+  /// Turns to this camera within 250 ms, or at once.
   void setCamera(const Camera& camera, bool animated = true);
   void fit(const geometry::Bounds& bounds_W, bool animated = true);
   void fitAll(bool animated = true);
   void setStandardView(StandardView view);
   void setPerspective(bool on);
   void setEdges(bool on);
-  /// Nothing: the picture is whole. While there is one, its handle can be dragged.
+  /// Empty: the picture is not cut. While there is a plane, its handle can be dragged.
   void setSection(const std::optional<SectionPlane>& plane);
   const std::optional<SectionPlane>& section() const { return section_; }
   bool edges() const { return edges_; }
@@ -50,83 +50,83 @@ class ViewportWidget : public QOpenGLWidget {
   bool motion() const { return motion_; }
   void setNavigation(const Navigation& navigation);
   const Navigation& navigation() const;
-  /// Null: no tool. The tool must outlive its being set.
+  /// Null: no tool. The tool must outlive the time it is set.
   void setPointerTool(PointerTool* tool, ToolChain::Place place = ToolChain::kModule);
-  /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
-  /// nothing first.
+  /// Lets the next click pick a face, an edge or a corner; see PickRequest. An open pick is first answered with an
+  /// empty result.
   void startPick(PickRequest request);
   /// Ends an open pick without a result.
   void cancelPick();
   bool isPicking() const;
-  /// The face, edge or corner at a place of the widget (pixels at 100 %), at once; nothing beside parts.
+  /// The face, edge or corner at a position of the widget (pixels at 100 %), at once; empty outside of parts.
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter = {});
-  /// The nearest face, edge or corner at a place, looking through the entities of `without`: what a part that is
-  /// dragged may snap to.
+  /// The nearest face, edge or corner at a position, looking through the entities of `without`: what a dragged part may
+  /// snap to.
   std::optional<PickedFeature> featureNear(const QPointF& position, const std::vector<workcell::EntityId>& without,
                                            const FeatureFilter& filter = {});
-  /// Entities in a box of the widget (pixels at 100 %): wholly inside, or, `touching`, those too that reach into it.
+  /// Entities in a box of the widget (pixels at 100 %): completely inside, or, with `touching`, also partly inside.
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
-  /// Lines over the scene, kept by `owner` until it gives others (none: takes them away). Others are drawn without
-  /// refresh().
+  /// Sets lines over the scene; `owner` keeps them until it sets others (empty: removes them). Changed lines are drawn
+  /// without refresh().
   void setCurves(const std::string& owner, std::vector<SceneCurve> curves);
-  /// All of them that are drawn, the section plane's and those of an open pick too.
+  /// All drawn lines, including those of the section plane and of an open pick.
   std::vector<SceneCurve> allCurves() const;
-  /// Labels beside those of the snapshot, kept by `owner` until it gives others. Their keys must be their own: from
-  /// 100.
+  /// Sets labels in addition to those of the snapshot; `owner` keeps them until it sets others. Their keys must be
+  /// unique, from 100 on.
   void setLabels(const std::string& owner, std::vector<OverlayLabel> labels);
-  /// Another document follows: picks, curves, labels, strips and all of the scene that was made of this one are
-  /// dropped. The section is the view's: its action ends it.
+  /// Another document follows: drops picks, curves, labels, strips and everything in the scene that was made for this
+  /// one. The section plane belongs to the view and stays until its action ends it.
   void forgetCell();
   void setStrip(const StripContext& context);
-  /// The text on a mannequin's task, in place of the stylus's strip; above it while forces are on. Empty: none.
+  /// Sets the text on a mannequin's task, in place of the stylus's strip; above it while forces are on. Empty: none.
   void setFigureStrip(std::vector<StripCell> cells);
   const std::vector<StripCell>& figureStrip() const;
-  /// All labels that are to be seen, those of the snapshot first.
+  /// All labels to be shown, those of the snapshot first.
   std::vector<OverlayLabel> allLabels() const;
-  /// Where labels, the force's number and the texts of curves were drawn last.
+  /// Last drawn positions of labels, the force's number and the texts of curves.
   const std::vector<PlacedLabel>& drawnLabels() const;
   void setViewStrip(std::vector<ViewStripCell> cells);
   const ViewStrip& viewStrip() const;
-  /// What the pointer is over, as it is written beside it: "robot · link_3". Empty: nothing.
+  /// Name of what the pointer is over, as shown next to it: "robot · link_3". Empty: nothing.
   const QString& hoverName() const;
   void setEmptyState(const std::optional<EmptyState>& state);
-  /// The scene changed: says so where it did (sceneChanged()), and draws when Qt finds time.
+  /// Checks whether the scene changed; if so, emits sceneChanged() and draws when Qt is ready.
   void refresh();
-  /// The picture at rest is refined as far as it will be; from now on nothing is drawn until something changes. Sooner
-  /// where a sample is dear (software rendering): a picture takes some seconds of work at the most.
+  /// True if the picture at rest is completely refined; nothing is drawn any more until something changes. With slow
+  /// rendering (software) this is the case sooner: a picture takes at most some seconds of work.
   bool isFinished() const;
-  /// The scene was drawn at this revision or a later one, and all its meshes are on the card.
+  /// True if the scene was drawn at this revision or a later one, with all its meshes uploaded.
   bool hasWhole(std::uint64_t revision) const;
-  /// Redraws only if the strip or a label would change, so an idle cell costs nothing.
+  /// Redraws only if the strip or a label would change, so a cell at rest costs nothing.
   void refreshNumbers();
-  /// The scene as it is drawn now, so many pixels wide: for lists. Null where it is not shown.
+  /// The scene as drawn now, at a width in pixels: for lists. Null if it is not shown.
   QImage smallPicture(int width);
   /// All samples of the picture, overlay included, as an image of the widget's size.
   QImage finishedPicture();
-  /// Median seconds of `count` frames at each level of detail, every one waited for: what the machine can do.
+  /// Median time of `count` frames at each level of detail, in seconds, each waited for: the speed of the machine.
   std::vector<double> measureFrames(int count);
   const FrameMeter& meter() const;
   double lastFrameSeconds() const { return meter().lastSeconds(); }
   DetailLevel detail() const;
-  /// How long after they were felt the last contacts were on the screen.
+  /// Delays from feeling to showing the last contacts.
   TouchMeter::Figures touchFigures() const;
-  /// No graphics card: the picture is drawn by the processor.
+  /// True without a graphics card: the processor draws the picture.
   bool isSoftware() const;
-  /// What moves is drawn with fewer pixels, or parts with visibly fewer triangles; the picture says so.
+  /// True if the scene in motion has fewer pixels, or parts visibly fewer triangles; the picture says so.
   bool isSimplified() const;
 
   // For its parts.
   ViewSize viewSize() const;
-  QSize devicePixels() const;  ///< At least one each way.
-  /// The scene as it is to be drawn now.
+  QSize devicePixels() const;  ///< At least one in each direction.
+  /// The scene to be drawn now.
   Frame makeFrame() const;
-  /// The camera turns, or labels glide.
+  /// True while the camera turns, or labels move.
   bool isUnderWay() const;
-  /// The scene was drawn last at this revision.
+  /// True if the last drawn scene has this revision.
   bool shows(std::uint64_t revision) const;
-  /// Parts that are still being made ready for drawing.
+  /// Number of parts that are still being prepared for drawing.
   std::size_t missingParts() const;
-  /// Of the clock of the view's pictures.
+  /// Present time of the clock of the view's pictures.
   double seconds() const;
   ViewCube viewCube() const;
   const ScenePicks& picks() const { return *picks_; }
@@ -135,16 +135,16 @@ class ViewportWidget : public QOpenGLWidget {
  signals:
   /// A click on an entity, or on nothing (0).
   void picked(hapticell::workcell::EntityId entity, Qt::KeyboardModifiers modifiers);
-  /// A drag over free space: what lies in the box.
+  /// A drag over free space selected what is in the box.
   void boxed(const std::vector<hapticell::workcell::EntityId>& entities, Qt::KeyboardModifiers modifiers);
   void hovered(hapticell::workcell::EntityId entity);
   void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
-  /// Where a point of the scene lies in the widget: another camera, or another size of the widget.
+  /// The mapping from scene to widget changed: another camera, or another size of the widget.
   void cameraChanged();
   /// Entities were added, moved, held, played or marked. If you provide curves or labels at an entity, provide them
   /// again here, so that they are in the same picture.
   void sceneChanged();
-  /// By its handle.
+  /// Moved by its handle.
   void sectionMoved();
 
  protected:

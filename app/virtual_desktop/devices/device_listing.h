@@ -9,9 +9,9 @@
 
 namespace hapticell::app {
 
-/// A device as `hapticell-cli devices` lists it.
+/// A device as in the list of `hapticell-cli devices`.
 struct ListedDevice {
-  QString device;  ///< As `--device` takes it.
+  QString device;  ///< As for `--device`.
   QString name, driver, place, firmware;
   QString kind;  ///< "stylus", "glove", "space_mouse".
   bool simulated = false, usable = false;
@@ -29,7 +29,7 @@ struct ListedGrant {
   bool granted = false;
 };
 
-/// All of it.
+/// The complete list.
 struct DeviceListing {
   std::vector<ListedDriver> drivers;
   std::vector<ListedDevice> devices;
@@ -37,26 +37,26 @@ struct DeviceListing {
   QString versions;  ///< One line.
 };
 
-/// Reads the command's JSON; empty if it is invalid.
+/// Reads the JSON of the command; empty if it is invalid.
 std::optional<DeviceListing> parseListing(const QByteArray& json);
 
-/// What is plugged into one listing and was not into the one before.
+/// Devices that are plugged in now and were not in the list before.
 std::vector<ListedDevice> newDevices(const DeviceListing& before, const DeviceListing& now);
 
-/// Has the listing kept by a process of its own (`hapticell-cli devices --watch`): drivers load vendors' libraries,
-/// which the window must not share. GUI thread; never waits.
+/// Keeps the list up to date with a separate process (`hapticell-cli devices --watch`): drivers load vendors'
+/// libraries, which must not run in the window's process. GUI thread; never waits.
 class DeviceLister : public QObject {
   Q_OBJECT
  public:
   explicit DeviceLister(QObject* parent = nullptr);
   ~DeviceLister() override;
-  /// Starts the search, which then continues; listed() or failed() follows. Another call asks every driver again.
+  /// Starts the search, which then continues; listed() or failed() follows. Another call queries every driver again.
   void look();
-  /// The newest; nothing before the first.
+  /// The newest list; empty before the first one.
   const std::optional<DeviceListing>& listing() const { return listing_; }
 
  signals:
-  void listed();                             ///< Also whenever a device has come or gone.
+  void listed();                             ///< Also whenever a device was plugged in or removed.
   void plugged(const ListedDevice& device);  ///< After listed().
   void failed(const QString& sentence);
 

@@ -13,13 +13,13 @@
 
 namespace hapticell::app {
 
-/// How far the stylus has been moved and which of its buttons were pressed: the range-of-motion and button test.
+/// The range-of-motion and button test: how far the stylus was moved and which of its buttons were pressed.
 class RangeTest {
  public:
-  /// Takes where it is in its workspace D (m) and what is pressed.
+  /// Takes the present position in the workspace D (m) and the pressed buttons.
   void take(const dvec3& p_D, std::uint32_t buttons);
   void reset() { *this = {}; }
-  /// Parts of the workspace's width, depth and height that were reached, 0 .. 1.
+  /// Fractions of the workspace's width, depth and height that were reached, 0 to 1.
   dvec3 covered(const dvec3& workspace_min, const dvec3& workspace_max) const;
   std::uint32_t pressedOnce() const { return pressed_; }
   std::uint32_t pressedNow() const { return now_; }
@@ -30,16 +30,16 @@ class RangeTest {
   std::uint32_t pressed_ = 0, now_ = 0;
 };
 
-/// The force test's push (N, downwards) at a time since it began: a ramp to one newton, a hold, a ramp down, then 0.
+/// Force of the force test (N, downwards) at a time since its start: a ramp to one newton, a hold, a ramp down, then 0.
 double testPush(double seconds, double peak_n);
 /// s: kRamp, kHold and kFall of device_watch.cpp together.
 inline constexpr double kTestSeconds = 4.0;
-/// N at most, and half of what the motors bear for ever: felt, and not startling. Half: less clear; twice: a loose hand
-/// is moved.
+/// Largest force of the test, N, and at most half of the continuous force of the motors: felt, and not startling. Half:
+/// less clear; twice: a loose hand is moved.
 inline constexpr double kTestPush = 1.0;
 
-/// What the device check knows of the running server: watches it as a client that controls nothing, keeps rate and
-/// lateness of the last minute, and can exert the test's push (then it controls). GUI thread; never waits.
+/// What the device check knows of the running server: observes it as a client that controls nothing, keeps rate and
+/// delay of the last minute, and can apply the test force (then it controls the stylus). GUI thread; never waits.
 class DeviceWatch : public QObject {
   Q_OBJECT
  public:
@@ -53,28 +53,28 @@ class DeviceWatch : public QObject {
   const haptic::HapticState& state() const { return state_; }
   const haptic::ServerStatistics& statistics() const { return statistics_; }
   RangeTest& range() { return range_; }
-  /// How the device is and what its calibration asks of the user; nothing for a simulated one.
+  /// State of the device, and what its calibration asks of the user; empty for a simulated one.
   std::optional<haptic::DeviceCondition> condition() const { return link_ ? link_->condition() : std::nullopt; }
   void calibrate(unsigned step) {
     if (link_) link_->calibrate(step);
   }
 
-  /// Ten a second, newest last, at most a minute of them.
+  /// Ten per second, newest last, for at most a minute.
   struct RateSample {
     double rate_hz = 0.0, late_p99_ms = 0.0, late_max_ms = 0.0;
   };
   const std::deque<RateSample>& history() const { return history_; }
 
-  /// Takes control and pushes; nobody else may control the stylus then. forceTestEnded() follows in any case.
+  /// Takes control and applies the force; no other client may control the stylus then. forceTestEnded() always follows.
   void startForceTest();
   void stopForceTest();
   bool forceTestRuns() const { return testing_; }
-  /// 0 .. 1 of its time, while it runs.
+  /// Progress of the test, 0 to 1, while it runs.
   double forceTestProgress() const { return progress_; }
 
  signals:
   void changed();  ///< Ten times a second.
-  /// `sentence` says how it went; `pushed_n` is the greatest force that was commanded.
+  /// `sentence` reports the result; `pushed_n` is the largest commanded force.
   void forceTestEnded(const QString& sentence, double pushed_n);
 
  private:

@@ -8,12 +8,12 @@
 
 namespace hapticell::app {
 
-/// How strongly each vibrator of a glove shakes, 0 .. 1: thumb, index, middle, ring, little finger, palm.
+/// Strength of each vibrator of a glove, 0 to 1: thumb, index, middle, ring, little finger, palm.
 using FingerVibration = std::array<double, 6>;
 
-/// What a hand of the mannequin `figure` feels through the glove: a finger that touches something shakes, the harder it
-/// is pressed the more (`force_n` over `peak_n`, where the stylus pushes at all), and a finger that slips into its near
-/// miss does not. Only pairs that `snapshot` tells count; both ways round, for what is held may meet the mannequin too.
+/// What a hand of the mannequin `figure` feels through the glove: a finger in contact vibrates, more if pressed harder
+/// (`force_n` over `peak_n`, if the stylus exerts any force); a finger only within the near-miss distance does not.
+/// Only pairs in `snapshot` count, in both orders, because what is held may touch the mannequin too.
 FingerVibration fingerVibration(const manipulation::SceneSnapshot& snapshot, workcell::EntityId figure,
                                 mannequin::Side side, double peak_n);
 

@@ -6,7 +6,7 @@
 
 namespace hapticell::app {
 
-/// What of the hand's motion is let through: moving along and turning about the three axes.
+/// Which motions of the hand are passed on: moving along and turning about the three axes.
 struct FreeAxes {
   std::array<bool, 3> moves{true, true, true};
   std::array<bool, 3> turns{true, true, true};
@@ -15,7 +15,7 @@ struct FreeAxes {
   bool rotates() const { return turns[0] || turns[1] || turns[2]; }
 };
 
-/// After the key X, Y or Z (`axis` 0, 1, 2): first only moving along it, then only turning about it, then all again.
+/// After key X, Y or Z (`axis` 0, 1, 2): first only moving along it, then only turning about it, then all again.
 FreeAxes afterKey(const FreeAxes& now, std::size_t axis);
 
 /// "X Y Z A B C", "X", "C"; "none" for none.

@@ -9,17 +9,17 @@
 
 namespace hapticell::app {
 
-/// What a glove poses: a hand of a mannequin, or a free hand.
+/// What a glove controls: a hand of a mannequin, or a free hand.
 struct GlovedHand {
-  workcell::EntityId entity = 0;  ///< 0: there is nothing to pose.
+  workcell::EntityId entity = 0;  ///< 0: there is no hand.
   mannequin::Side side = mannequin::Side::kRight;
-  std::vector<double> joints;                     ///< Of all variables: the fingers' as the glove has them.
+  std::vector<double> joints;                     ///< Of all variables: those of the fingers as measured by the glove.
   std::vector<std::vector<std::size_t>> fingers;  ///< Variables that move together, from the palm outwards.
-  manipulation::GraspKeeper::Bend bend{};         ///< As the glove has it, rad.
+  manipulation::GraspKeeper::Bend bend{};         ///< As measured by the glove, rad.
 };
 
-/// The hand that the glove of that side poses: of the chosen entity where that is a mannequin or a free hand, else a
-/// free hand of that side, else of the first mannequin; what is locked is left alone. Fingers stand within its limits.
+/// The hand that the glove of that side controls: of the chosen entity if that is a mannequin or a free hand, else a
+/// free hand of that side, else of the first mannequin. Locked entities are skipped. Fingers stay within their limits.
 GlovedHand glovedHand(const workcell::Document& document, workcell::EntityId chosen, mannequin::Side side,
                       const mannequin::GloveReadings& angles);
 

@@ -16,21 +16,21 @@
 
 namespace hapticell::app {
 
-/// Turns and shifts the view by a 3-D mouse: the cap is the scene. `motion` as driver::State has it, `seconds` since
-/// the last call, at most 0.1.
+/// The camera after a motion of the 3D mouse: turns and pans as if the cap were the scene. `motion` as in
+/// driver::State, `seconds` since the last call, at most 0.1.
 Camera movedByMouse(const Camera& from, const double (&motion)[6], double seconds, const ViewSize& size);
 
-/// What a 3-D mouse moves what is held by within `seconds`, in the hand's axes D: metres and radians.
+/// Motion of a held entity by a 3D mouse within `seconds`, along the hand's axes D: metres and radians.
 Twist handMotion(const double (&motion)[6], double seconds);
 
-/// The four poses of a glove's calibration, one after another; what the user is asked for, and what came of it.
+/// The four poses of a glove's calibration, one after another: the request to the user, and the result.
 class GloveCalibrator {
  public:
   static constexpr int kPoses = 4;
-  /// Pose to hold now, 0 .. 3; kPoses when all are taken.
+  /// Index of the pose to hold now, 0 to 3; kPoses when all are taken.
   int next() const { return static_cast<int>(taken_.size()); }
   static QString instruction(int pose);
-  /// Takes the pose that is held; after the last the calibration, or which sensor did not move.
+  /// Takes the pose that the user holds; after the last, computes the calibration, or names a sensor without motion.
   void take(const mannequin::GloveReadings& readings);
   const std::optional<mannequin::GloveCalibration>& result() const { return result_; }
   int badSensor() const { return bad_sensor_; }
@@ -41,7 +41,7 @@ class GloveCalibrator {
   int bad_sensor_ = -1;
 };
 
-/// The glove and the 3-D mouse beside the stylus, read in this process (their drivers hold nothing of a vendor). GUI
+/// The glove and the 3D mouse used with the stylus, read in this process (their drivers contain no vendor's code). GUI
 /// thread; never waits.
 class InputDevices : public QObject {
   Q_OBJECT
@@ -59,25 +59,25 @@ class InputDevices : public QObject {
   void setMouseMoves(MouseMoves moves);
   MouseMoves mouseMoves() const { return moves_; }
 
-  /// The mouse's newest state, where it answers.
+  /// The newest state of the mouse, if it answers.
   std::optional<driver::State> mouseState();
-  /// The mouse's buttons that went down since the last call, also those that are up again.
+  /// The mouse's buttons that were pressed since the last call, even if released again.
   std::uint32_t takeMousePresses() { return mouse_ ? mouse_->takePressed() : 0u; }
-  /// The glove's readings of all 22 sensors, where it answers.
+  /// The readings of all 22 sensors of the glove, if it answers.
   std::optional<mannequin::GloveReadings> gloveReadings() const;
-  /// Joint angles of the hand, rad, by the user's calibration (without one, by a rough default).
+  /// Joint angles of the hand, rad, by the user's calibration (or a rough default).
   std::optional<mannequin::GloveReadings> gloveAngles() const;
   bool isRightGlove() const;
-  /// While the user shows the poses of a calibration the glove poses nothing.
+  /// While the user shows the poses of a calibration, the glove controls nothing.
   void setCalibrating(bool calibrating) { calibrating_ = calibrating; }
   bool isCalibrating() const { return calibrating_; }
-  /// Thumb to little finger and palm, 0 .. 1 each.
+  /// Thumb to little finger and palm, 0 to 1 each.
   void vibrateGlove(const std::array<double, 6>& strength);
   /// One line about the glove or the mouse.
   QString gloveLine() const;
   QString mouseLine() const;
   bool isGloveCalibrated() const { return calibrated_; }
-  /// Keeps a user's calibration and uses it.
+  /// Stores the user's calibration and uses it.
   Expected<void> keepCalibration(const mannequin::GloveCalibration& calibration);
 
   /// What happened since the last call, in sentences.

@@ -6,7 +6,7 @@
 
 namespace hapticell::app {
 
-/// The haptic server as a child process, for when none answers. It ends with this object. GUI thread.
+/// The haptic server as a child process, for the case that none answers. It ends with this object. GUI thread.
 class ServerProcess : public QObject {
   Q_OBJECT
  public:
@@ -15,16 +15,16 @@ class ServerProcess : public QObject {
   /// Starts hapticell-haptic-server from the program's folder with a device profile (empty: its default).
   void start(const QString& device, int port);
   void stop();
-  /// The sentence of a warning in a line of the server's log; empty if the line is not a warning.
+  /// The text of a warning in a line of the server's log; empty if the line is not a warning.
   static QString warningIn(const QString& line);
   bool isRunning() const { return process_.state() != QProcess::NotRunning; }
 
  signals:
-  /// It could not be started, or ended by itself: what happened, as a sentence.
+  /// It could not be started, or ended without a request: what happened, as a sentence.
   void ended(const QString& sentence);
 
  signals:
-  /// It warns: a sentence about the device or the force loop.
+  /// It reported a warning about the device or the force loop.
   void warned(const QString& sentence);
 
  private:

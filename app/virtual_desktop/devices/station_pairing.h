@@ -14,15 +14,15 @@ namespace hapticell::app {
 /// Whether an address means this machine: localhost, 127.x.x.x or ::1.
 bool isThisStation(const QString& host);
 
-/// Tries a haptic server and its code, and keeps the code when it fits: what `hapticell-cli pair` does, for the window.
-/// It connects as a watcher, so the stylus is taken from nobody. GUI thread; never waits.
+/// Tries a haptic server with its code, and keeps the code if it is correct: does for the window what `hapticell-cli
+/// pair` does. Connects as an observer, so no client loses the stylus. GUI thread; never waits.
 class StationPairing : public QObject {
   Q_OBJECT
  public:
   explicit StationPairing(QObject* parent = nullptr);
 
-  /// Begins; tried() follows in any case, at the latest after kPatience. An empty `code` stands for the one that is
-  /// kept already, or for none (this machine). A running trial is given up.
+  /// Starts a trial; tried() follows in any case, at the latest after kPatience. An empty `code` means the stored one,
+  /// or none (this machine). Cancels a running trial.
   void start(const QString& host, int port, const QString& code);
   void cancel();
   bool isRunning() const { return link_ != nullptr; }
@@ -30,12 +30,12 @@ class StationPairing : public QObject {
   /// Whether this user has a code for that server.
   static bool knows(const QString& host, int port);
 
-  /// ms that a station may take to answer, in a network with losses. Half: slow ones fail; twice: one waits for a wrong
-  /// address.
+  /// ms that a station may take to answer, in a network with losses. Half: slow ones fail; twice: the user waits long
+  /// for a wrong address.
   static constexpr int kPatience = 5000;
 
  signals:
-  /// `sentence` names the device, or says what is wrong and what to do.
+  /// `sentence` names the device, or the problem and its remedy.
   void tried(bool fits, const QString& sentence);
 
  private:

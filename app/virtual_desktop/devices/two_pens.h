@@ -5,8 +5,8 @@
 
 namespace hapticell::app {
 
-/// The mouse over two drawn styluses: the pen that is nearer to the pointer is dragged until it lets go; the first one
-/// besides.
+/// The mouse over two drawn styluses: a drag moves the pen nearer to the pointer until the button is released; at other
+/// times, the mouse controls the first one.
 class TwoPens final : public PointerTool {
  public:
   TwoPens(MouseStylus& first, MouseStylus& second) : first_(first), second_(second) {}

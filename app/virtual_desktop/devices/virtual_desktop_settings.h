@@ -11,14 +11,14 @@ namespace hapticell::app {
 /// What the user chose in the Virtual Desktop panel. A value; the controller turns changes into commands.
 struct VirtualDesktopSettings {
   workcell::EntityId entity = 0;   ///< 0: whatever the tip touches.
-  manipulation::MovedBy moved_by;  ///< The way and its frame; what else is chosen of it, HoldChoice has.
+  manipulation::MovedBy moved_by;  ///< The way and its frame; HoldChoice has the other options.
   manipulation::AxesMode axes = manipulation::AxesMode::kScreen;
   manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
   FreeAxes free;
-  std::string axes_frame;  ///< For axes kFrame: an entity's name.
-  std::string against;     ///< The one pair set that counts; empty: all that are switched on.
+  std::string axes_frame;  ///< For axes of kFrame: an entity's name.
+  std::string against;     ///< The only pair set that applies; empty: all that are switched on.
 };
 
 }  // namespace hapticell::app

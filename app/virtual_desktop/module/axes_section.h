@@ -16,7 +16,7 @@ class Host;
 class VirtualDesktopController;
 class Segmented;
 
-/// The section *Axes and scale*: along whose axes the hand moves, which of them are free, and how far. GUI thread.
+/// The section *Axes and scale*: whose axes the hand moves along, which are free, and the motion scale. GUI thread.
 class AxesSection : public QObject {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class AxesSection : public QObject {
   AxesSection(Host& host, VirtualDesktopController& controller, QVBoxLayout& column, QObject* parent = nullptr);
 
   void showSettings();
-  /// How far what is held moves, a millimetre of the hand.
+  /// Shows how far the held entity moves per millimetre of the hand.
   void showScale();
 
  private:

@@ -22,7 +22,7 @@ class DeviceSection : public QObject {
 
   void showConnection();
   void showSecond();
-  /// The button that adds a hand for the glove is shown where the cell has none.
+  /// Shows the button that adds a hand for the glove if the cell has none.
   void showFreeHand();
 
  signals:

@@ -15,7 +15,7 @@ class VirtualDesktopController;
 class Segmented;
 class ValueField;
 
-/// The section *Feel of this entity*: its class of force and its material. GUI thread.
+/// The section *Feel of this entity*: its force class and its material. GUI thread.
 class FeelSection : public QObject {
   Q_OBJECT
  public:

@@ -15,7 +15,7 @@ class Host;
 class VirtualDesktopController;
 class ForceMeter;
 
-/// The switch of the forces, the force now, and what would bring forces back where none can act. GUI thread.
+/// The switch of the forces, the present force, and the remedy if forces cannot act. GUI thread.
 class ForceSection : public QObject {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class ForceSection : public QObject {
   ForceSection(Host& host, VirtualDesktopController& controller, QVBoxLayout& column, QObject* parent = nullptr);
 
   void show();
-  /// What the connected device bears.
+  /// Shows the limits of the connected device.
   void showDevice();
 
  private:

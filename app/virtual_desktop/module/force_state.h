@@ -9,24 +9,24 @@ namespace hapticell::app {
 
 class VirtualDesktopController;
 
-/// Whether forces are wanted, and what became of them; reports if they went off without a request. GUI thread.
+/// Whether forces are wanted, and whether they act; reports if they went off without a request. GUI thread.
 class ForceState {
  public:
   /// The owner must outlive it.
   explicit ForceState(VirtualDesktopController& owner) : owner_(owner) {}
 
-  /// What the user asked for; whether they act is in the snapshot.
+  /// The user's request; the snapshot says whether they act.
   bool areWanted() const { return wanted_; }
-  /// They went off because the server is gone.
+  /// True if they went off because the server is gone.
   bool areLost() const { return lost_; }
   void setWanted(bool on);
-  /// Another connection: forces are never on by it.
+  /// There is another connection, which never switches forces on.
   void connectionChanged();
-  /// The loop begins, or ends.
+  /// The loop starts or ends.
   void reset();
-  /// A snapshot came. `cut`: they went off though nobody asked for it, by the server's safety chain.
+  /// Takes a snapshot. `cut`: the server's safety chain switched forces off without a request.
   void snapshotCame(bool cut);
-  /// They went off because the server is gone.
+  /// Reports that forces went off because the server is gone.
   void reportLoss();
   ForceFacts facts() const;
 

@@ -12,18 +12,18 @@ namespace hapticell::app {
 class VirtualDesktopController;
 struct GlovedHand;
 
-/// What a glove does: it poses the hand of a mannequin or a hand by itself, grasps by it and shakes where the fingers
+/// What a glove does: poses the hand of a mannequin or a free hand, grasps with it and vibrates where the fingers
 /// touch. GUI thread.
 class GloveControl {
  public:
   /// Both must outlive it.
   GloveControl(VirtualDesktopController& owner, InputDevices& inputs) : owner_(owner), inputs_(inputs) {}
 
-  /// Poses the hand as the glove is now; at each look at the inputs.
+  /// Poses the hand as the glove is now; call it at each poll of the inputs.
   void pose();
-  /// The hand keeps its posture until the glove moves it again.
+  /// Keeps the hand's posture until the glove moves it again.
   void rest();
-  /// No glove any more: what its hand held stays where it is.
+  /// The glove is gone: what its hand held stays where it is.
   void end();
 
  private:
@@ -36,8 +36,8 @@ class GloveControl {
 
   VirtualDesktopController& owner_;
   InputDevices& inputs_;
-  workcell::EntityId hand_ = 0;  // The mannequin or free hand that it poses.
-  std::vector<double> joints_;   // As the glove wants them; how far they came the snapshot says.
+  workcell::EntityId hand_ = 0;  // The mannequin or free hand that the glove controls.
+  std::vector<double> joints_;   // As the glove asks; the snapshot says how far they came.
   manipulation::GraspKeeper grasp_;
   QElapsedTimer rests_;
 };

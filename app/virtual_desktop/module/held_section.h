@@ -15,8 +15,8 @@ class Host;
 class VirtualDesktopController;
 class Segmented;
 
-/// The section *What is held*: the entity, what of it the hand moves, against what, and what a contact does. GUI
-/// thread.
+/// The section *What is held*: the entity, what of it the hand moves, what it is checked against, and its contact mode.
+/// GUI thread.
 class HeldSection : public QObject {
   Q_OBJECT
  public:

@@ -12,7 +12,7 @@
 
 namespace hapticell::app {
 
-/// What a glove and a 3-D mouse do: looks at them while there is one. GUI thread.
+/// What a glove and a 3D mouse do: polls them while there is one. GUI thread.
 class InputControl : public QObject {
   Q_OBJECT
  public:
@@ -21,8 +21,8 @@ class InputControl : public QObject {
 
   InputDevices& devices() { return devices_; }
   GloveControl& glove() { return glove_; }
-  /// Where a real hand holds the first stylus the 3-D mouse that is to move entities is the second one, until it moves
-  /// the view again. To be called when a stylus came or went.
+  /// If a real hand holds the first stylus, a 3D mouse that is set to move entities becomes the second stylus, until it
+  /// moves the view again. Call it when a stylus was connected or removed.
   void settleMouse();
   /// See VirtualDesktopController.
   void addFreeHand();
@@ -40,7 +40,7 @@ class InputControl : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
   std::uint32_t buttons_ = 0;
-  bool mouse_is_second_ = false;  // The 3-D mouse, since it is to move entities.
+  bool mouse_is_second_ = false;  // The 3D mouse is the second stylus, because it is set to move entities.
 };
 
 }  // namespace hapticell::app

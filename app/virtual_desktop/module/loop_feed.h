@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class VirtualDesktopController;
 
-/// Hands the document and the view over to the loop as commands, and knows which answers are of a cell that is closed.
-/// Without a loop nothing happens. GUI thread.
+/// Passes the document and the view to the loop as commands, and recognises results for a closed cell. Does nothing
+/// without a loop. GUI thread.
 class LoopFeed {
  public:
   /// The owner must outlive it.
@@ -22,16 +22,16 @@ class LoopFeed {
   void postGuides() const;
   void postCamera() const;
   Pose cameraPose_W() const;
-  /// Where the device's axes lie in the cell, as the settings have it.
+  /// Orientation of the device's axes in the cell, as in the settings.
   dquat axes_W() const;
-  /// The document is about to be another one.
+  /// Another document is about to be opened.
   void closeCell();
-  /// False where the loop was still at a cell before.
+  /// False if the loop still used an earlier cell.
   bool isOfCell(const manipulation::SceneSnapshot& snapshot) const;
 
  private:
   VirtualDesktopController& owner_;
-  workcell::EntityId closed_ids_ = 0;  // Those up to it are of cells that are closed.
+  workcell::EntityId closed_ids_ = 0;  // Ids up to this one belong to closed cells.
 };
 
 }  // namespace hapticell::app

@@ -17,7 +17,7 @@ class MouseHand : public QObject {
   explicit MouseHand(VirtualDesktopController& owner);
 
   MouseStylus& stylus() { return mouse_; }
-  /// The pen as the newest snapshot and the view have it.
+  /// Updates the pen from the newest snapshot and the view.
   void update();
 
  private:

@@ -13,7 +13,7 @@ namespace hapticell::app {
 class Host;
 class VirtualDesktopController;
 
-/// How often the haptic loop, the collision loop and the window run, and how long a step takes. GUI thread.
+/// Rates of the haptic loop, the collision loop and the window, and the duration of a step. GUI thread.
 class RateSection : public QObject {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class RateSection : public QObject {
   Host& host_;
   VirtualDesktopController& controller_;
   QLabel* rates_[3][2];
-  /// Rates, and milliseconds beside them.
+  /// Shows rates, and milliseconds next to them.
   SteadyNumber steady_rates_[3]{SteadyNumber(0.05), SteadyNumber(0.05), SteadyNumber(0.05)};
   SteadyNumber steady_times_[3]{SteadyNumber(0.3, 0.1), SteadyNumber(0.3, 0.3), SteadyNumber(0.3, 1.0)};
 };

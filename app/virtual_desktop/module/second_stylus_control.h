@@ -13,7 +13,7 @@ namespace hapticell::app {
 
 class VirtualDesktopController;
 
-/// The second stylus beside the first: its own haptic server on a free port, its link, what it holds. GUI thread.
+/// The second stylus: its own haptic server on a free port, its link, and what it holds. GUI thread.
 class SecondStylusControl : public QObject {
   Q_OBJECT
  public:
@@ -22,26 +22,26 @@ class SecondStylusControl : public QObject {
 
   /// See VirtualDesktopController::chooseSecond().
   void choose(const QString& device);
-  /// What is chosen; empty: none.
+  /// The chosen device; empty: none.
   const QString& profile() const { return profile_; }
   /// See VirtualDesktopController::secondLine().
   QString line() const;
-  /// Starts server and link where one is chosen and the loop runs.
+  /// Starts server and link if a device is chosen and the loop runs.
   void start();
-  /// Ends its server and takes it out of the loop. Before the loop is gone.
+  /// Ends its server and removes it from the loop. Call it before the loop ends.
   void drop();
-  /// The loop is gone, and the link with it.
+  /// The loop has ended, and the link with it.
   void forgetLink() { link_ = nullptr; }
-  /// The loop has it, whether it is connected or not.
+  /// True if the loop has it, whether it is connected or not.
   bool isThere() const { return link_ != nullptr; }
-  /// Connected, and moved by the mouse.
+  /// True if it is connected, and moved by the mouse.
   bool isSimulated() const { return device_ && device_->simulated; }
   bool isConnected() const { return device_.has_value(); }
-  /// Where the first holds a mannequin's hand it holds the other one.
+  /// Sends its settings: if the first one holds a mannequin's hand, the second one holds the other hand.
   void postSettings();
-  /// Sees to it whether it came or went; each tick.
+  /// Checks whether it was connected or disconnected; each tick.
   void follow();
-  /// Its pen as the hand holds it; turns it in the snapshot too.
+  /// Updates its pen as the hand holds it; turns it in the snapshot too.
   void updateMouse(manipulation::SceneSnapshot& snapshot);
   MouseStylus& mouse() { return mouse_; }
 
@@ -49,7 +49,7 @@ class SecondStylusControl : public QObject {
   VirtualDesktopController& owner_;
   QString profile_;
   ServerProcess server_;
-  haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe questions are asked.
+  haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe functions are called.
   std::optional<haptic::DeviceDescription> device_;
   MouseStylus mouse_;
 };

@@ -11,34 +11,34 @@ namespace hapticell::app {
 
 class Host;
 
-/// The haptic server that the window looks for: its address, its device, and the process where it is our own. GUI
+/// The haptic server that the window looks for: its address, its device, and the process if the window started it. GUI
 /// thread.
 class StationServer : public QObject {
   Q_OBJECT
  public:
-  /// As the configuration has it. The host must outlive it.
+  /// Starts with the configured server. The host must outlive it.
   explicit StationServer(Host& host);
 
   const QString& host() const { return server_host_; }
   int port() const { return server_port_; }
   QString address() const;
-  /// Another one from now on, kept in the user's configuration; an own process ends.
+  /// Uses another server from now on, stored in the user's configuration; ends the window's own process.
   void use(const QString& host, int port);
-  /// The device of the own server.
+  /// The device of the window's own server.
   const QString& profile() const { return profile_; }
-  /// Another device for it; an own process ends.
+  /// Sets another device for it; ends the own process.
   void setProfile(const QString& profile);
 
-  /// The own process runs.
+  /// True while the own process runs.
   bool isRunning() const { return server_.isRunning(); }
-  /// Now, instead of waiting for one.
+  /// Starts the own server now, instead of waiting for another one.
   void start();
   void stop() { server_.stop(); }
-  /// The window begins to look for a server.
+  /// The window starts to look for a server.
   void beginLooking();
-  /// A server answers, or does so no more.
+  /// A server answers, or stopped answering.
   void setAnswered(bool answers);
-  /// None answers: starts one, once, where this machine is the station and none came within 0.7 s.
+  /// No server answers: starts one, once, if this machine is the station and none answered within 0.7 s.
   void help();
 
  private:

@@ -26,9 +26,9 @@ namespace hapticell::app {
 class Host;
 class PreparationBar;
 
-/// Ties the window to the manipulation loop: starts loop and, where none answers, the haptic server; hands the document
-/// and the user's choices over as commands; takes the newest snapshot at the window's rate. Each part (StationServer,
-/// SecondStylusControl, InputControl …) has its own file. GUI thread; never waits.
+/// Connects the window with the manipulation loop: starts the loop and, if no haptic server answers, a server; passes
+/// the document and the user's choices on as commands; takes the newest snapshot at the window's rate. Each part
+/// (StationServer, SecondStylusControl, InputControl …) has its own file. GUI thread; never waits.
 class VirtualDesktopController : public QObject {
   Q_OBJECT
  public:
@@ -37,40 +37,40 @@ class VirtualDesktopController : public QObject {
 
   void connectDevice();
   void disconnectDevice();
-  /// A server answers, and this window has the stylus.
+  /// A server answers, and this window controls the stylus.
   bool isConnected() const { return link_.isConnected(); }
-  /// A server answers, but another window has the stylus.
+  /// A server answers, but another window controls the stylus.
   bool isWatching() const { return link_.isWatching(); }
-  /// Takes the stylus from the window that has it.
+  /// Takes control of the stylus from the window that has it.
   void takeStylus() { link_.takeOver(); }
   bool isStarted() const { return loop_ != nullptr; }
-  /// Why there is no connection, or what the device is called; one line.
+  /// One line: why there is no connection, or the name of the device.
   QString deviceLine() const { return link_.line(); }
   const std::optional<haptic::DeviceDescription>& device() const { return link_.device(); }
 
   const VirtualDesktopSettings& settings() const { return settings_; }
   void change(const VirtualDesktopSettings& settings);
-  /// The settings as `edit` leaves them.
+  /// Changes the settings by `edit`.
   void edit(const std::function<void(VirtualDesktopSettings&)>& edit);
-  /// The chosen entity's choice, as a command of the document; without one, of whatever is taken next.
+  /// Sets the chosen entity's contact mode, as a command of the document; without an entity, for whatever is held next.
   void setOnContact(workcell::OnContact on_contact);
   void setForceClass(workcell::ForceClass force_class);
-  /// Chooses another stylus, simulated or a driver's: restarts the own server with that device.
+  /// Chooses another stylus, simulated or of a driver: restarts the own server with that device.
   void chooseDevice(const QString& profile);
   const QString& deviceProfile() const { return station_.profile(); }
-  /// A second stylus beside the first, at a server of its own; empty: none. Where the first holds a mannequin's hand
-  /// it holds the other one, else what its tip touches.
+  /// Chooses a second stylus with its own server; empty: none. If the first one holds a mannequin's hand, the second
+  /// one holds the other hand, else what its tip touches.
   void chooseSecond(const QString& device) { second_.choose(device); }
   const QString& secondProfile() const { return second_.profile(); }
-  /// How it is, one line; empty where none is chosen.
+  /// One line about its state; empty if none is chosen.
   QString secondLine() const { return second_.line(); }
-  /// A hand by itself for the glove, in the middle of the view.
+  /// Adds a free hand for the glove, in the middle of the view.
   void addFreeHand() { inputs_.addFreeHand(); }
   bool hasFreeHand() const { return inputs_.hasFreeHand(); }
   /// Starts the server now instead of waiting for one.
   void startServer() { station_.start(); }
   QString serverAddress() const { return station_.address(); }
-  /// Where the haptic server is looked for: what the configuration says until useServer() says otherwise.
+  /// Address of the haptic server: from the configuration, until useServer() changes it.
   const QString& serverHost() const { return station_.host(); }
   int serverPort() const { return station_.port(); }
   /// Changes to another station and stores it in the user's configuration; reconnects if it was connected.
@@ -78,14 +78,14 @@ class VirtualDesktopController : public QObject {
   ForceFacts forceFacts() const { return forces_.facts(); }
   /// Glove and 3-D mouse.
   InputDevices& inputs() { return inputs_.devices(); }
-  /// What is plugged in, and what comes and goes.
+  /// The plugged-in devices, and changes of them.
   DeviceLister& lister() { return lister_; }
   SoundPlayer& sound() { return sound_; }
   void setForces(bool on);
-  /// What the user asked for; whether they act is in the snapshot.
+  /// The user's request; the snapshot says whether forces act.
   bool forcesWanted() const { return forces_.areWanted(); }
   void setClutch(bool on);
-  /// What is held stays where it is.
+  /// Releases what is held; it stays where it is.
   void letGo();
   MouseStylus& mouse() { return mouse_.stylus(); }
   const manipulation::SceneSnapshot& snapshot() const { return snapshot_; }
@@ -96,14 +96,14 @@ class VirtualDesktopController : public QObject {
   /// Null: not started.
   manipulation::ManipulationLoop* loop() { return loop_.get(); }
   const StylusLink& link() const { return link_; }
-  /// As HoldChoice has it; beside a second stylus that holds the other hand the trunk stands still.
+  /// As in HoldChoice; while a second stylus holds the other hand, the trunk does not move.
   manipulation::MovedBy movedBy() const;
   dquat axes_W() const { return feed_.axes_W(); }
   void postCamera() const { feed_.postCamera(); }
   void postSettings();
 
  signals:
-  void snapshotChanged();  ///< Ten times a second: for numbers. The scene itself is handed to the host each time.
+  void snapshotChanged();  ///< Ten times a second, for numbers. The host gets the scene itself each time.
   void settingsChanged();
   void connectionChanged();
 
@@ -129,7 +129,7 @@ class VirtualDesktopController : public QObject {
   StationServer station_;
   SoundPlayer sound_;
   MouseHand mouse_;
-  PreparationBar* preparation_;  // The viewport's.
+  PreparationBar* preparation_;  // Owned by the viewport.
   SecondStylusControl second_;
   InputControl inputs_;
   DeviceLister lister_;

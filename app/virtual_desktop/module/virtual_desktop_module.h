@@ -57,7 +57,7 @@ class VirtualDesktopModule : public QObject, public Module {
   QLabel* pill_words_ = nullptr;
   std::vector<QAction*> actions_;
   QPointer<QMenu> menu_;
-  bool clutch_ = false, button_key_ = false;  ///< Held by Space and B.
+  bool clutch_ = false, button_key_ = false;  ///< Held down: Space and B.
   bool pill_lost_ = false;
 };
 

@@ -17,13 +17,13 @@ class VirtualDesktopController;
 class WorkspaceSection;
 
 /// The panel of the haptic module: switch and force first, then device, what is held, axes and scale, feel, the hand in
-/// its workspace, loop rates. Shows what the controller says and asks it for changes.
+/// its workspace, loop rates. Shows the state of the controller and asks it for changes.
 class VirtualDesktopPanel : public QWidget {
   Q_OBJECT
  public:
   VirtualDesktopPanel(Host& host, VirtualDesktopController& controller, QWidget* parent = nullptr);
 
-  /// The device check as it stands now.
+  /// Shows the present device check.
   void showChecks(DeviceCheckPanel& checks) const;
 
  signals:

@@ -11,17 +11,17 @@ class QPushButton;
 
 namespace hapticell::app {
 
-/// The stylus's calibration on the device check page: whether it is calibrated, what the user does step by step, what
-/// came of it. Falcon, Omni and Touch tell their steps by themselves; simulated devices have none.
+/// The stylus's calibration on the device check page: whether it is calibrated, what the user does step by step, and
+/// the result. Falcon, Omni and Touch detect their steps themselves; simulated devices have none.
 class CalibrationSection : public QWidget {
   Q_OBJECT
  public:
   explicit CalibrationSection(QWidget* parent = nullptr);
-  /// What the server says of the device; nothing while it has not said anything.
+  /// Sets what the server reports about the device; empty before its first report.
   void setCondition(const std::optional<haptic::DeviceCondition>& condition, bool connected);
 
  signals:
-  /// The user has done that step.
+  /// The user has completed that step.
   void stepDone(unsigned step);
 
  private:
@@ -31,7 +31,7 @@ class CalibrationSection : public QWidget {
   QPushButton *begin_, *done_, *cancel_;
   std::optional<haptic::DeviceCondition> condition_;
   bool connected_ = false;
-  int at_ = -1;  // The step that is being done; -1: none.
+  int at_ = -1;  // The present step; -1: none.
 };
 
 }  // namespace hapticell::app

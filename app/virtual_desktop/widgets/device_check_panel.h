@@ -21,7 +21,7 @@ class RangeView;
 class RateGraph;
 struct DeviceListing;
 
-/// The checks: one row each, its mark, what was found.
+/// The checks, one per row: its mark, and the result.
 class CheckRows : public QWidget {
   Q_OBJECT
  public:
@@ -41,10 +41,10 @@ class CheckRows : public QWidget {
 class DeviceCheckPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `lister` outlives it.
+  /// `lister` must outlive it.
   explicit DeviceCheckPanel(DeviceLister& lister, QWidget* parent = nullptr);
   void setChecks(std::vector<DeviceCheck> checks);
-  /// The one line that says why there is no force, or that there is.
+  /// Sets the line that says why there is no force, or that there is one.
   void setReason(const ForceReason& reason);
   DeviceWatch& watch() { return *watch_; }
 
@@ -53,7 +53,7 @@ class DeviceCheckPanel : public QWidget {
   bool event(QEvent* event) override;
 
  signals:
-  /// The force test needs the stylus for itself: whoever controls it lets go (true), and may take it again (false).
+  /// The force test needs the stylus for itself: its controller must release it (true), and may take it again (false).
   void stylusWanted(bool wanted);
 
  private:

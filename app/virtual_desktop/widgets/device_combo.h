@@ -8,8 +8,8 @@ namespace hapticell::app {
 
 struct ListedDevice;
 
-/// A list to choose a device from, whose entries come and go while the program runs. While it is open it stays as it
-/// is: nothing moves under the pointer. GUI thread.
+/// A list to choose a device from; its entries change while the program runs. While it is open it does not change, so
+/// that nothing moves under the pointer. GUI thread.
 class DeviceCombo : public QComboBox {
   Q_OBJECT
  public:
@@ -21,9 +21,9 @@ class DeviceCombo : public QComboBox {
 
   static Entry entryOf(const ListedDevice& device);
 
-  /// From now on these. The chosen device stays in the list where it is not among them any more, as unplugged.
+  /// Sets the entries. If the chosen device is no longer among them, it stays in the list as unplugged.
   void setEntries(std::vector<Entry> entries);
-  /// As a listing names it; empty: the entry without a device.
+  /// Selects a device by its name in a listing; empty: the entry without a device.
   void setChosen(const QString& device);
   void hidePopup() override;
 

@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-/// The force now against what the device bears for ever and at most; the ends are limits and look like them.
+/// The present force relative to the device's continuous and peak force; the ends are drawn as limits.
 class ForceMeter : public QWidget {
   Q_OBJECT
  public:
@@ -21,7 +21,7 @@ class ForceMeter : public QWidget {
   double continuous_ = 0.0, peak_ = 0.0, force_ = 0.0;
 };
 
-/// The stylus within the device's workspace: a box in perspective, the tip, its plumb line to the floor.
+/// The stylus in the device's workspace: a box in perspective, the tip, and its plumb line to the floor.
 class WorkspaceView : public QWidget {
   Q_OBJECT
  public:

@@ -14,16 +14,16 @@ class DeviceCombo;
 class Segmented;
 struct DeviceListing;
 
-/// The rows for glove and 3-D mouse: which one, what it does, and the glove's calibration, one pose after another.
+/// The rows for glove and 3D mouse: which device, what it does, and the glove's calibration, one pose after another.
 class InputPanel : public QWidget {
   Q_OBJECT
  public:
   explicit InputPanel(InputDevices& inputs, QWidget* parent = nullptr);
-  /// What is plugged in now.
+  /// Sets what is plugged in now.
   void setListing(const DeviceListing& listing);
-  /// A free hand for the glove may be added, since the cell has none of its side.
+  /// Whether a free hand may be added for the glove, because the cell has none of its side.
   void setFreeHandMissing(bool missing);
-  /// Shows what the devices say.
+  /// Shows the present state of the devices.
   void refresh();
 
  signals:

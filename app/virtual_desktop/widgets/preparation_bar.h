@@ -10,8 +10,8 @@ class QProgressBar;
 
 namespace hapticell::app {
 
-/// In the corner of the view while the parts of a document are made ready for contacts: how far it is, and a button
-/// that gives it up (meshes that are ready by then stay so). It appears only where that takes longer than half a
+/// Shown in the corner of the view while the parts of a document are prepared for contacts: the progress, and
+/// a button to cancel (meshes that are ready stay ready). Appears only if that takes longer than half a
 /// second.
 class PreparationBar : public QWidget {
   Q_OBJECT
@@ -19,7 +19,7 @@ class PreparationBar : public QWidget {
   explicit PreparationBar(QWidget* parent = nullptr);
   /// How long (ms) a preparation may last without being shown; 500 at first.
   void setPatience(qint64 milliseconds) { patience_ = milliseconds; }
-  /// 0 to 1; nothing: there is nothing to be made ready. As often as one likes.
+  /// Progress, 0 to 1; empty: nothing is being prepared. May be called at any rate.
   void setShare(std::optional<double> share);
 
  signals:

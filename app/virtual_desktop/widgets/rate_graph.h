@@ -8,7 +8,7 @@
 
 namespace hapticell::app {
 
-/// The force loop's rate (line) and how late its ticks came (bars) over the last minute.
+/// The force loop's rate (line) and the delay of its ticks (bars) over the last minute.
 class RateGraph : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class RateGraph : public QWidget {
   std::deque<DeviceWatch::RateSample> samples_;
 };
 
-/// The parts of the workspace that were reached, an axis a bar, and the buttons as dots.
+/// The reached fractions of the workspace, one bar per axis, and the buttons as dots.
 class RangeView : public QWidget {
   Q_OBJECT
  public:

@@ -15,12 +15,12 @@ namespace hapticell::app {
 
 class Segmented;
 
-/// Where the stylus is plugged in: this station, or another one in the network with its address and code. The choice is
-/// offered when the server there has answered; its owner takes it or says why not.
+/// Where the stylus is plugged in: this station, or another one in the network with its address and pairing key. A
+/// choice is offered once the server there has answered; the owner accepts it or says why not.
 class StationPanel : public QWidget {
   Q_OBJECT
  public:
-  /// As it is now: the server that is used.
+  /// `host` and `port`: the present server.
   StationPanel(const QString& host, int port, QWidget* parent = nullptr);
 
  signals:
