@@ -140,11 +140,11 @@ TEST(SolidPanel, TurnsAboutTheCentreAndFeelsAsChosen) {
   page.chooseSegment("segmentsTurns", 1);
   EXPECT_TRUE(page.window().holdChoice().is<by::Center>());
   page.chooseSegment("segmentsSolidForce", 2);
-  EXPECT_EQ(page.document().find(page.door)->force_class, workcell::ForceClass::kDynamics);
+  EXPECT_EQ(page.document().find(page.door)->contact.force_class, workcell::ForceClass::kDynamics);
   page.type("fieldSolidMass", "2.35");
-  EXPECT_NEAR(page.document().find(page.door)->mass, 2.35, 1e-12);
+  EXPECT_NEAR(page.document().find(page.door)->contact.mass, 2.35, 1e-12);
   page.chooseSegment("segmentsSolidOnContact", 0);
-  EXPECT_EQ(page.document().find(page.door)->on_contact, workcell::OnContact::kStop);
+  EXPECT_EQ(page.document().find(page.door)->contact.on_contact, workcell::OnContact::kStop);
   page.press("switchChecked");
   EXPECT_FALSE(page.document().find(page.door)->checked);
   page.trigger("actionUndo");

@@ -58,7 +58,7 @@ TEST(Keys, CGoesThroughStopSlidePassAndTheDocumentKnows) {
   EXPECT_EQ(on_contact->current(), 1);
   page.key(Qt::Key_C);
   EXPECT_EQ(on_contact->current(), 2);
-  EXPECT_EQ(page.document().find(page.part)->on_contact, workcell::OnContact::kPass);
+  EXPECT_EQ(page.document().find(page.part)->contact.on_contact, workcell::OnContact::kPass);
   page.key(Qt::Key_C);
   EXPECT_EQ(on_contact->current(), 0);
   page.trigger("actionUndo");
@@ -96,7 +96,7 @@ TEST(Keys, LettersAreTextWhileAFieldHasTheFocus) {
 TEST(Keys, TheForceClassOfTheEntityIsOneWhereverItIsChosen) {
   KeysPage page;
   page.chooseSegment("segmentsForce", 2);
-  EXPECT_EQ(page.document().find(page.part)->force_class, workcell::ForceClass::kDynamics);
+  EXPECT_EQ(page.document().find(page.part)->contact.force_class, workcell::ForceClass::kDynamics);
   page.window().documentModel().execute(
       workcell::SetProperties{.id = page.part, .force_class = workcell::ForceClass::kConstant});
   WindowPage::settle();

@@ -434,18 +434,18 @@ TEST(StripChart, DrawsTheRatesAsLines) {
 TEST(FeelWindow, ForceClassAndMaterialAreChosenInTheEntitysDialog) {
   HandPage page;
   page.chooseSegment("segmentsForce", 2);
-  EXPECT_EQ(page.document().find(page.box)->force_class, workcell::ForceClass::kDynamics);
+  EXPECT_EQ(page.document().find(page.box)->contact.force_class, workcell::ForceClass::kDynamics);
   auto* material = page.find<QComboBox>("comboMaterial");
   material->setFocus();
   page.pointAt(*material);
   QTest::keyClicks(material, "Foam");
-  EXPECT_EQ(page.document().find(page.box)->material, "steel") << "typing only searches";
+  EXPECT_EQ(page.document().find(page.box)->contact.material, "steel") << "typing only searches";
   QTest::keyClick(material->view(), Qt::Key_Return);
-  EXPECT_EQ(page.document().find(page.box)->material, "foam");
+  EXPECT_EQ(page.document().find(page.box)->contact.material, "foam");
   page.showDock("dockSolid");
   EXPECT_EQ(page.find<QComboBox>("comboSolidMaterial")->currentData().toString(), "foam") << "one entity, one material";
   page.trigger("actionUndo");
-  EXPECT_EQ(page.document().find(page.box)->material, "steel");
+  EXPECT_EQ(page.document().find(page.box)->contact.material, "steel");
   EXPECT_EQ(material->currentData().toString(), "steel");
 }
 
