@@ -50,6 +50,41 @@ constexpr int kMostCold = 6;
 /// Levels that the zone shrinks by for want of time; then it is pending. Half: less found at once; twice: zones of a
 /// sixth, where waiting one query would give the whole.
 constexpr std::size_t kColdLevels = 2;
+/// Of what a part and the zone reach: what is farther away by its sphere is not looked at. Nothing asks for more than
+/// once. Half: pairs would be missed; twice: twice as many boxes are compared.
+constexpr double kFarther = 2.0;
+
+struct Sphere {
+  dvec3 center_W;
+  double radius;
+};
+
+Sphere sphereOf(const ZonePart& part) {
+  geometry::Bounds bounds = part.pieces->bounds();
+  if (part.surfaces != nullptr) bounds.add(part.surfaces->bounds());
+  return {part.X_W * bounds.center(), bounds.radius()};
+}
+
+/// Indices of the environment's parts that count and may come into the zone of a moving one.
+std::vector<std::uint32_t> nearParts(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
+                                     const ZoneOptions& options) {
+  std::vector<Sphere> spheres;
+  for (const ZonePart& part : moving) {
+    spheres.push_back(sphereOf(part));
+    spheres.back().radius += kFarther * (std::max(part.reach, options.radius) + options.safety_distance);
+  }
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t e = 0; e < environment.size(); ++e) {
+    const Sphere at = sphereOf(environment[e]);
+    for (std::size_t m = 0; m < moving.size(); ++m) {
+      if (!options.pair_mask.empty() && options.pair_mask[m * environment.size() + e] == 0) continue;
+      if (glm::distance(at.center_W, spheres[m].center_W) > at.radius + spheres[m].radius) continue;
+      near.push_back(e);
+      break;
+    }
+  }
+  return near;
+}
 
 }  // namespace
 
@@ -296,6 +331,24 @@ ZoneContacts ContactFinder::find(std::span<const ZonePart> moving, std::span<con
                                  const ZoneOptions& options) {
   HAPTICELL_DEMAND(options.pair_mask.empty() || options.pair_mask.size() == moving.size() * environment.size());
   HAPTICELL_DEMAND(options.radius > 0.0 && options.max_entries > 0);
+  const std::vector<std::uint32_t> near = nearParts(moving, environment, options);
+  std::vector<ZonePart> parts;
+  for (const std::uint32_t e : near) parts.push_back(environment[e]);
+  std::vector<std::uint8_t> mask;
+  if (!options.pair_mask.empty()) {
+    for (std::size_t m = 0; m < moving.size(); ++m) {
+      for (const std::uint32_t e : near) mask.push_back(options.pair_mask[m * environment.size() + e]);
+    }
+  }
+  ZoneOptions of_near = options;
+  of_near.pair_mask = mask;
+  ZoneContacts found = findAmong(moving, parts, of_near);
+  for (ZoneContact& contact : found.contacts) contact.environment_part = near[contact.environment_part];
+  return found;
+}
+
+ZoneContacts ContactFinder::findAmong(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
+                                      const ZoneOptions& options) {
   Search search(caches_, moving, environment, options, kept_share_ * options.radius);
   search.crowded = crowded_;
   search.surfaces.setMayFallBack(ways_ == Ways::kBest);

@@ -39,6 +39,7 @@ class ContactFinder {
   };
   explicit ContactFinder(Ways ways = Ways::kBest) : ways_(ways) {}
 
+  /// Costs what is near; of the environment's other parts only their spheres are looked at.
   ZoneContacts find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                     const ZoneOptions& options);
 
@@ -54,6 +55,8 @@ class ContactFinder {
   };
   struct Search;
 
+  ZoneContacts findAmong(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
+                         const ZoneOptions& options);
   PairWay& wayOf(const ZonePart& moving, const ZonePart& environment);
   std::size_t startLevel(const Search& search) const;
   std::optional<ZoneContacts> attempt(Search& search, std::size_t level);

@@ -57,8 +57,8 @@ void Scene::removePart(PartIndex part) {
 void Scene::setPose(PartIndex part, const Pose& X_WP) {
   travel(part, X_WP);
   parts_[part].X_WP = X_WP;
-  parts_[part].at = placedBounds(*parts_[part].collider, X_WP);
-  if (tree_.contains(part)) tree_.place(part, parts_[part].at.box_W());
+  parts_[part].has_moved = true;
+  if (tree_.contains(part)) tree_.place(part, boundsOf(part).box_W());
 }
 
 void Scene::travel(PartIndex index, const Pose& X_WP) {
@@ -90,7 +90,7 @@ void Scene::beginQuery() {
 
 void Scene::keepInTree(PartIndex part) {
   forgetQuiet(part);
-  if (!parts_[part].empty && pairs_.isSought(part)) tree_.place(part, parts_[part].at.box_W());
+  if (!parts_[part].empty && pairs_.isSought(part)) tree_.place(part, boundsOf(part).box_W());
 }
 
 PairIndex Scene::addPair(PartIndex moved, PartIndex environment, std::uint32_t tag) {
@@ -155,8 +155,9 @@ void Scene::gather(double margin) {
   for (const PartIndex seeker : pairs_.seekers()) {
     const Part& part = parts_[seeker];
     if (part.empty || part.quiet_until - part.travelled - sought_way_ >= margin) continue;
-    tree_.visitNear(part.at.box_W(), margin, [&](PartIndex other) {
-      const double spheres = sphereGap(part.at, parts_[other].at);
+    const PlacedBounds& at = boundsOf(seeker);
+    tree_.visitNear(at.box_W(), margin, [&](PartIndex other) {
+      const double spheres = sphereGap(at, parts_[other].at);
       if (spheres >= margin) return;
       const PairIndex index = pairs_.find(seeker, other);
       if (index == ScenePairs::kNone) return;
@@ -165,7 +166,7 @@ void Scene::gather(double margin) {
       pair.seen = pass_;
       const double known = std::max(spheres, pair.apart_until - way(pair));
       if (known >= margin) return;
-      const double bound = std::max(known, boxGap(part.at, parts_[other].at));
+      const double bound = std::max(known, boxGap(at, parts_[other].at));
       if (bound < margin) candidates_.push_back({bound, index});
     });
   }
@@ -195,10 +196,10 @@ void Scene::searchNearest(double margin, DistanceDemand& left, std::optional<Pai
 }
 
 /// Around all parts that have a pair, m.
-double Scene::extent() const {
+double Scene::extent() {
   geometry::Bounds all = tree_.bounds();
   for (const PartIndex part : pairs_.seekers()) {
-    if (!parts_[part].empty) all.add(parts_[part].at.box_W());
+    if (!parts_[part].empty) all.add(boundsOf(part).box_W());
   }
   return 2.0 * all.radius();
 }
@@ -267,7 +268,7 @@ void Scene::lookAround(PartIndex seeker) {
   part.look = part.clear = lookAhead(part);
   part.asked_at = part.travelled;
   part.asked_in = round_;
-  tree_.visitNear(part.at.box_W(), part.look, [&](PartIndex other) { suspect(seeker, other); });
+  tree_.visitNear(boundsOf(seeker).box_W(), part.look, [&](PartIndex other) { suspect(seeker, other); });
 }
 
 bool Scene::collide(ScenePairs::Pair& pair, Part& seeker) {
@@ -275,7 +276,7 @@ bool Scene::collide(ScenePairs::Pair& pair, Part& seeker) {
   const double way_of_pair = way(pair);
   double apart = pair.apart_until - way_of_pair;
   if (apart <= kTouchingDistance) {
-    apart = boxGap(a.at, b.at);
+    apart = boxGap(boundsOf(pair.moved), boundsOf(pair.environment));
     pair.apart_until = std::max(pair.apart_until, apart + way_of_pair);
   }
   ProximityQuery* query = apart <= kTouchingDistance ? &queryOf(pair) : nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -101,7 +102,8 @@ class Scene {
 
  private:
   struct Part {
-    PlacedBounds at;
+    PlacedBounds at;          ///< See boundsOf().
+    bool has_moved = false;   ///< `at` is of an earlier pose.
     double travelled = 0.0;  ///< m: no point of it has gone a longer way since it was added.
     double asked_at = 0.0;   ///< Its way when collides() last looked around it,
     double look = 0.0;       ///< and how far (m) it looked.
@@ -120,21 +122,39 @@ class Scene {
     double lower_bound;
     PairIndex pair;
   };
+  /// A place on a motion.
+  struct Station {
+    Pose X_WP;
+    PlacedBounds at;
+    bool is_known = false;
+  };
+  /// Middles of a motion, its halves and its quarters: 1; 2, 3; 4 to 7.
+  static constexpr std::size_t kStations = 8;
   /// A part of advance().
   struct Swept {
     PartIndex part;
     const PartMotion* motion;
     PlacedBounds begin;
+    std::array<Station, kStations> stations{};  ///< Those that were asked for.
   };
 
-  /// The two of a pair, and how they move.
-  struct PairMotion {
-    const PartMotion *a, *b;
-    const MeshCollider *collider_a, *collider_b;
+  /// One of a pair in advance().
+  struct Mover {
+    PartIndex part = 0;
+    Swept* swept = nullptr;  ///< Null: it stands.
+    PartMotion standing{};
+    const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
   };
 
   static geometry::Bounds sweptBox(const Swept& swept, const MeshCollider& collider);
 
+  /// Where the part is now: placed when it is asked for, as most parts that move are not.
+  const PlacedBounds& boundsOf(PartIndex index) {
+    Part& part = parts_[index];
+    if (part.has_moved) part.at = placedBounds(*part.collider, part.X_WP);
+    part.has_moved = false;
+    return part.at;
+  }
   void keepInTree(PartIndex part);
   void travel(PartIndex part, const Pose& X_WP);
   void forgetQuiet(PartIndex part) { parts_[part].quiet_until = -std::numeric_limits<double>::infinity(); }
@@ -155,11 +175,13 @@ class Scene {
   void gather(double margin);
   void measure(PairIndex pair, DistanceDemand& left, std::optional<PairDistance>& best);
   void searchNearest(double margin, DistanceDemand& left, std::optional<PairDistance>& best);
-  double extent() const;
+  double extent();
 
   void prepareMotion(std::span<const MovedPart> moved, double clearance);
   void addMotionPair(const Swept& swept, PartIndex other, double clearance);
-  bool boundsStayApart(const PairMotion& motion, double gap, const MotionDemand& demand) const;
+  Mover moverOf(PartIndex part);
+  const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
+  MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 
   std::vector<Part> parts_;

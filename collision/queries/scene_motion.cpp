@@ -9,11 +9,28 @@ namespace hapticell::collision {
 
 namespace {
 
-/// Strides by the bounds alone before a motion's meshes are looked at. Half: more meshes; twice: more bounds where the
-/// meshes have to be looked at anyway.
-constexpr int kMostStrides = 4;
-/// Of the motion: shorter strides do not lead to its end. Half: more strides; twice: more meshes.
-constexpr double kLeastStride = 0.1;
+/// m of motion: shorter stretches are not halved but followed by the exact check. Half: more halvings near contact;
+/// twice: longer stretches to follow there.
+constexpr double kShortStretch = 5e-3;
+/// Halvings: of 80 m down to the above. Half: 128 times longer stretches are followed; twice: none is so long.
+constexpr int kMostHalvings = 14;
+
+/// A piece of a motion.
+struct Cut {
+  Cut(const PartMotion& of, double from, double to) : whole(of), begin(from), length(to - from) {
+    motion.X_WStart = of.at(from);
+    motion.X_WEnd = of.at(to);
+    motion.path_bound = of.path_bound * length;
+    motion.bend_bound = of.bend_bound * length * length;
+    if (of.along) motion.along = [this](double s) { return whole.at(begin + s * length); };
+  }
+  Cut(const Cut&) = delete;
+  Cut& operator=(const Cut&) = delete;
+
+  const PartMotion& whole;
+  double begin, length;
+  PartMotion motion;
+};
 
 }  // namespace
 
@@ -36,7 +53,7 @@ void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance)
   pair.seen = pass_;
   const std::uint32_t listed = swept_of_[other];
   const Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
-  const PlacedBounds& at = met == nullptr ? parts_[other].at : met->begin;
+  const PlacedBounds& at = met == nullptr ? boundsOf(other) : met->begin;
   const double reach = swept.motion->path_bound + (met == nullptr ? 0.0 : met->motion->path_bound) + clearance;
   if (reach == clearance) return;
   double bound = sphereGap(swept.begin, at);
@@ -52,7 +69,7 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance) {
   for (const MovedPart& part : moved) {
     if (parts_[part.part].empty) continue;
     // The bounds are of the beginning, wherever the scene has its parts now.
-    swept_.push_back({part.part, &part.motion, placedBounds(*parts_[part.part].collider, part.motion.at(0.0))});
+    swept_.push_back({part.part, &part.motion, placedBounds(*parts_[part.part].collider, part.motion.at(0.0)), {}});
     swept_of_[part.part] = static_cast<std::uint32_t>(swept_.size());
   }
   for (const Swept& swept : swept_) {
@@ -72,39 +89,78 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance) {
   });
 }
 
-/// Conservative advancement by spheres and root boxes: whether these alone keep the two apart to the end.
-bool Scene::boundsStayApart(const PairMotion& motion, double gap, const MotionDemand& demand) const {
-  const double rate = motion.a->path_bound + motion.b->path_bound;
-  double s = 0.0;
-  for (int stride = 0; stride < kMostStrides; ++stride) {
-    const double step = (gap - demand.clearance - kRounding) / rate;
-    if (step < kLeastStride * demand.until) return false;
-    s += step;
-    if (s >= demand.until) return true;
-    const PlacedBounds a = placedBounds(*motion.collider_a, motion.a->at(s));
-    const PlacedBounds b = placedBounds(*motion.collider_b, motion.b->at(s));
-    gap = std::max(sphereGap(a, b), boxGap(a, b));
+Scene::Mover Scene::moverOf(PartIndex part) {
+  Mover mover{part, nullptr, {}};
+  if (swept_of_[part] == 0)
+    mover.standing = standingStill(parts_[part].X_WP);
+  else
+    mover.swept = &swept_[swept_of_[part] - 1];
+  return mover;
+}
+
+/// Where it is at s. The first middles are kept, as many pairs ask for them; `node` is their number, 0: none of them.
+const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s, Station& scratch) {
+  const bool is_kept = mover.swept != nullptr && node > 0 && node < kStations;
+  Station& station = is_kept ? mover.swept->stations[node] : scratch;
+  if (is_kept && station.is_known) return station;
+  station.X_WP = mover.motion().at(s);
+  station.at = mover.swept == nullptr ? boundsOf(mover.part) : placedBounds(*parts_[mover.part].collider, station.X_WP);
+  station.is_known = true;
+  return station;
+}
+
+/// As collision::advance(), for motions that are long against what they pass: halves them until what is left of each is
+/// shorter than the distance there, which most searches find without measuring it; only near contact it is followed.
+MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double gap, const MotionDemand& demand) {
+  const PartMotion &a = moved.motion(), &b = met.motion();
+  const double rate = a.path_bound + b.path_bound, least = std::max(demand.clearance, kLeastClearance);
+  if (gap <= least && query.within(a.at(0.0), b.at(0.0), least)) return collision::advance(query, a, b, demand);
+  struct Stretch {
+    double from, to;
+    std::size_t node;
+  };
+  constexpr std::size_t kLastNode = std::size_t{1} << kMostHalvings;
+  const bool is_whole = demand.until == 1.0;
+  Stretch open[kMostHalvings + 2];
+  int count = 0;
+  open[count++] = {0.0, demand.until, 1};
+  Station scratch_a, scratch_b;
+  MotionStop stop;
+  while (count > 0) {
+    const Stretch piece = open[--count];
+    const double middle = 0.5 * (piece.from + piece.to), length = rate * (piece.to - piece.from);
+    const double margin = least + 0.5 * length + kRounding;
+    const std::size_t node = is_whole ? piece.node : 0;
+    const Station &at_a = stationOf(moved, node, middle, scratch_a), &at_b = stationOf(met, node, middle, scratch_b);
+    if (sphereGap(at_a.at, at_b.at) > margin || boxGap(at_a.at, at_b.at) > margin) continue;
+    if (!query.within(at_a.X_WP, at_b.X_WP, margin)) continue;
+    if (length > kShortStretch && piece.node < kLastNode) {
+      open[count++] = {middle, piece.to, 2 * piece.node + 1};
+      open[count++] = {piece.from, middle, 2 * piece.node};
+      continue;
+    }
+    const Cut cut_a(a, piece.from, piece.to), cut_b(b, piece.from, piece.to);
+    stop = collision::advance(query, cut_a.motion, cut_b.motion, {demand.clearance, 1.0});
+    stop.s = piece.from + stop.s * (piece.to - piece.from);
+    if (stop.stopped) return stop;
   }
-  return false;
+  stop.s = demand.until;
+  return stop;
 }
 
 SceneStop Scene::stopOnce(double clearance, double until) {
   SceneStop stop;
   stop.s = until;
+  const double least = std::max(clearance, kLeastClearance);
   for (const Candidate& candidate : candidates_) {
     ScenePairs::Pair& pair = pairs_[candidate.pair];
-    const Part &moved = parts_[pair.moved], &environment = parts_[pair.environment];
-    const PartMotion standing_a = standingStill(moved.X_WP), standing_b = standingStill(environment.X_WP);
-    const auto motionOf = [&](PartIndex part, const PartMotion& standing) {
-      return swept_of_[part] == 0 ? &standing : swept_[swept_of_[part] - 1].motion;
-    };
-    const PairMotion motion{motionOf(pair.moved, standing_a), motionOf(pair.environment, standing_b),
-                            moved.collider.get(), environment.collider.get()};
-    const double least = std::max(clearance, kLeastClearance);
-    const double reach = (motion.a->path_bound + motion.b->path_bound) * stop.s;
+    Mover moved = moverOf(pair.moved), met = moverOf(pair.environment);
+    const double reach = (moved.motion().path_bound + met.motion().path_bound) * stop.s;
+    if (stop.s == 0.0 && !stop.began_colliding && candidate.lower_bound <= kTouchingDistance) {
+      stop.began_colliding = queryOf(pair).collides(moved.motion().at(0.0), met.motion().at(0.0));
+    }
     if (reach == 0.0 || candidate.lower_bound > reach + least) continue;
-    if (boundsStayApart(motion, candidate.lower_bound, {least, stop.s})) continue;
-    const MotionStop pair_stop = collision::advance(queryOf(pair), *motion.a, *motion.b, {clearance, stop.s});
+    const MotionStop pair_stop = follow(queryOf(pair), moved, met, candidate.lower_bound, {clearance, stop.s});
     stop.began_colliding |= pair_stop.began_colliding;
     if (!pair_stop.stopped || pair_stop.s >= stop.s) continue;
     stop.s = pair_stop.s;

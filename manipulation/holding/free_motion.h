@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/queries/motion_check.h"
+#include "collision/queries/placed_bounds.h"
 #include "collision/queries/proximity_query.h"
 #include "manipulation/manipulators/manipulator.h"
 
@@ -37,7 +38,8 @@ struct MotionAnswer {
 /// 1996; Zhang, Lee, Kim 2006): a step never exceeds the measured distance divided by the speed bound of the part.
 ///
 /// Keeps a lower bound of every pair's distance, reduced by motion, so that a pair is measured again only when it could
-/// have come near. Pairs that touch or intersect at reset() are `soft`: they do not block until they have come apart
+/// have come near. What is far is not even looked at: a list of the near pairs is kept, and made anew when the far ones
+/// could have come near, so that a step costs what is near. Pairs that touch or intersect at reset() are `soft`: they do not block until they have come apart
 /// once, because otherwise nothing could move. The caller must ensure that they get no deeper. One thread.
 class FreeMotion {
  public:
@@ -86,7 +88,11 @@ class FreeMotion {
  private:
   struct PairState {
     collision::ProximityQuery query;
-    double clearance = 0.0;  ///< Lower bound of the distance now, m.
+    double clearance = 0.0;  ///< Lower bound of the distance, m: now; of a far pair less its part's way since.
+    double way = 0.0;        ///< Of a far pair: that of its part when it became one.
+    double bound = 0.0;      ///< Scratch: how far the two may come together along the motion,
+    double reached = 0.0;    ///< and s where the clearance was last measured.
+    bool near = true;
     bool soft = false;
     dvec3 stand_back_W{0.0};  ///< Shift of the obstacle, for blocking only; zero if the pair is not guarded.
     bool guarded() const { return stand_back_W != dvec3(0.0); }
@@ -101,7 +107,10 @@ class FreeMotion {
   collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
   Pose standingPose(std::uint32_t pair) const;
   Pose obstaclePose(std::uint32_t pair) const;
-  double boundOf(std::uint32_t pair) const;
+  double boundsGap(std::uint32_t pair) const;
+  void placeParts();
+  void listNear(double least);
+  bool isLookedAt(std::uint32_t pair) const;
   void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
   Pose partPoseAt(const Motion& motion, std::uint32_t part, double s);
   void boundPairs(const Motion& motion);
@@ -116,8 +125,11 @@ class FreeMotion {
   std::vector<std::uint32_t> own_;               ///< Indices of the pairs of two parts,
   std::vector<Manipulator::OwnPair> own_parts_;  ///< and their parts.
   std::vector<double> own_bounds_;               ///< Scratch: one per own pair.
-  std::vector<double> pair_bounds_;              ///< How far the two parts of a pair may approach each other.
-  std::vector<double> reached_;                  ///< Scratch per pair: s where its clearance was last measured.
+  std::vector<std::uint32_t> near_;              ///< Pairs that are examined, in order; those of two parts always.
+  double far_clearance_ = 0.0;                   ///< m: no other pair is nearer than this.
+  std::vector<double> way_;                      ///< m: no point of the part has moved farther than this in all.
+  std::vector<collision::PlacedBounds> part_bounds_, obstacle_bounds_;
+  std::vector<std::vector<std::uint32_t>> pairs_of_;  ///< The pairs of each obstacle.
   EntityConfiguration at_s_;                     ///< Scratch: at the last s asked for.
   double scratch_s_ = -1.0;
 };

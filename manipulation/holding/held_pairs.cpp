@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_map>
 
 #include "manipulation/scene/mannequin_own_pairs.h"
 #include "manipulation/scene/own_pairs.h"
@@ -76,9 +78,13 @@ void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placem
                                 const config::Configuration& configuration) {
   const PreparedScene& scene = *model.scene();
   const std::vector<MovedPart>& moved = model.parts();
-  std::map<workcell::EntityId, std::vector<workcell::EffectivePair>> rules_of;
+  std::map<workcell::EntityId, std::unordered_map<workcell::EntityId, workcell::EffectivePair>> rules_of;
   for (const MovedPart& part : moved) {
-    if (!rules_of.count(part.owner)) rules_of[part.owner] = scene.pairsOf(part.owner, options.on_contact);
+    const auto [rules, is_new] = rules_of.try_emplace(part.owner);
+    if (!is_new) continue;
+    for (const workcell::EffectivePair& pair : scene.pairsOf(part.owner, options.on_contact)) {
+      rules->second.emplace(pair.other, pair);
+    }
   }
   for (const ScenePart& part : scene.parts()) {
     if (model.isMoved(part.entity)) continue;
@@ -87,17 +93,18 @@ void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placem
     bool checked = false;
     for (std::uint32_t k = 0; k < moved.size(); ++k) {
       const auto& rules = rules_of[moved[k].owner];
-      const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
-      if (rule == rules.end()) continue;
+      const auto found = rules.find(other.id);
+      if (found == rules.end()) continue;
+      const workcell::EffectivePair& rule = found->second;
       if (!scene.isChecked(*moved[k].part, part)) continue;
       const workcell::PairRule* own = scene.ruleFor(*moved[k].part, part);
       HeldPair pair{other.id,
                     moved[k].owner,
                     moved[k].part->name,
                     part.name,
-                    rule->safety_distance,
-                    rule->near_miss,
-                    rule->on_contact,
+                    rule.safety_distance,
+                    rule.near_miss,
+                    rule.on_contact,
                     {}};
       if (own && own->on_contact) pair.on_contact = *own->on_contact;
       pair.feel.felt = pair.on_contact != OnContact::kPass;

@@ -77,8 +77,15 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(
   scene->entities_ = std::move(entities);
   scene->pairs_ = std::move(pairs);
   scene->defaults_ = defaults;
+  scene->index();
   std::vector<Job> jobs;
-  for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
+  for (const workcell::Entity& entity : scene->entities_) {
+    const std::size_t first = scene->parts_.size();
+    scene->addParts(entity, jobs);
+    // Of two with one id the first counts.
+    Known& known = scene->by_id_.at(entity.id);
+    if (&scene->entities_[known.entity] == &entity) known.first_part = first, known.parts = scene->parts_.size() - first;
+  }
   scene->run(jobs, previous, progress);
   if (!progress.build.cancelled) return scene;
   scene->dropUnfinished();
@@ -86,7 +93,19 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(
   return nullptr;
 }
 
+void PreparedScene::index() {
+  for (std::size_t i = 0; i < entities_.size(); ++i) {
+    by_id_.try_emplace(entities_[i].id, Known{i, 0, 0});
+    by_name_.emplace(entities_[i].name, i);
+  }
+  for (const workcell::PairRule& rule : pairs_.rules) {
+    rules_of_[rule.first].push_back(rule);
+    if (rule.second != rule.first) rules_of_[rule.second].push_back(rule);
+  }
+}
+
 void PreparedScene::dropUnfinished() {
+  for (auto& [id, known] : by_id_) known.first_part = known.parts = 0;
   parts_.clear();
   keys_.clear();
   std::erase_if(meshes_, [](const auto& entry) {
@@ -167,13 +186,19 @@ void PreparedScene::addLinks(const workcell::Entity& entity, std::vector<Job>& j
 }
 
 const workcell::Entity* PreparedScene::find(workcell::EntityId id) const {
-  const auto found = std::find_if(entities_.begin(), entities_.end(), [&](const auto& e) { return e.id == id; });
-  return found == entities_.end() ? nullptr : &*found;
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? nullptr : &entities_[found->second.entity];
 }
 
 const workcell::Entity* PreparedScene::find(const std::string& name) const {
-  const auto found = std::find_if(entities_.begin(), entities_.end(), [&](const auto& e) { return e.name == name; });
-  return found == entities_.end() ? nullptr : &*found;
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : &entities_[found->second];
+}
+
+std::span<const ScenePart> PreparedScene::partsOf(workcell::EntityId id) const {
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end()) return {};
+  return std::span(parts_).subspan(found->second.first_part, found->second.parts);
 }
 
 Pose PreparedScene::partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints,
@@ -186,16 +211,17 @@ Pose PreparedScene::partPose(const workcell::Entity& entity, const Pose& X_WE, c
 
 std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId moved,
                                                             workcell::OnContact on_contact) const {
-  std::vector<workcell::Entity> entities = entities_;
-  for (workcell::Entity& entity : entities) {
-    if (entity.id == moved) entity.contact.on_contact = on_contact;
-  }
-  return workcell::effectivePairs(entities, pairs_.sets, moved, defaults_);
+  return workcell::effectivePairs(entities_, pairs_.sets, moved, defaults_, on_contact);
 }
 
 const workcell::PairRule* PreparedScene::ruleFor(const ScenePart& a, const ScenePart& b) const {
-  if (pairs_.rules.empty()) return nullptr;
-  return workcell::ruleFor(pairs_.rules, {find(a.entity)->name, a.name}, {find(b.entity)->name, b.name});
+  if (rules_of_.empty()) return nullptr;
+  const std::string &first = find(a.entity)->name, &second = find(b.entity)->name;
+  const auto of_first = rules_of_.find(first), of_second = rules_of_.find(second);
+  if (of_first == rules_of_.end() || of_second == rules_of_.end()) return nullptr;
+  const auto& fewer =
+      of_first->second.size() < of_second->second.size() ? of_first->second : of_second->second;
+  return workcell::ruleFor(fewer, {first, a.name}, {second, b.name});
 }
 
 bool PreparedScene::isChecked(const ScenePart& a, const ScenePart& b) const {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/pieces/convex_pieces.h"
@@ -70,9 +72,12 @@ class PreparedScene {
                                                       PreparationProgress& progress);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
+  /// Null where there is none; by a table, not by a search.
   const workcell::Entity* find(workcell::EntityId id) const;
   const workcell::Entity* find(const std::string& name) const;
   const std::vector<ScenePart>& parts() const { return parts_; }
+  /// Those of one entity; none where it does not exist.
+  std::span<const ScenePart> partsOf(workcell::EntityId id) const;
   const workcell::PairPolicy& pairs() const { return pairs_; }
   const workcell::PairDefaults& defaults() const { return defaults_; }
 
@@ -100,6 +105,11 @@ class PreparedScene {
   using MeshKey = std::pair<const void*, int>;  ///< Mesh, or robot model and link.
   PreparedScene() = default;
   struct Job;  ///< A mesh that is still to be prepared.
+  struct Known {
+    std::size_t entity = 0;                 ///< Its place in entities_,
+    std::size_t first_part = 0, parts = 0;  ///< and of its parts in parts_.
+  };
+  void index();
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addLinks(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
@@ -113,6 +123,10 @@ class PreparedScene {
   workcell::PairDefaults defaults_;
   std::vector<ScenePart> parts_;
   std::vector<MeshKey> keys_;  ///< For the parts' meshes.
+  std::unordered_map<workcell::EntityId, Known> by_id_;
+  std::unordered_map<std::string_view, std::size_t> by_name_;  ///< Places in entities_; names are those there.
+  /// The rules that name an entity, in their order.
+  std::unordered_map<std::string_view, std::vector<workcell::PairRule>> rules_of_;
   std::map<MeshKey, PreparedMesh> meshes_;
 };
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "collision/queries/proximity_query.h"
+#include "collision/trees/part_tree.h"
 
 namespace hapticell::manipulation {
 
@@ -21,8 +23,8 @@ struct PlacedPart {
 std::vector<PlacedPart> placedParts(const PreparedScene& scene, workcell::EntityId id) {
   std::vector<PlacedPart> placed;
   const Entity* entity = scene.find(id);
-  for (const ScenePart& part : scene.parts()) {
-    if (part.entity != id || !entity || !part.mesh.collider) continue;
+  for (const ScenePart& part : scene.partsOf(id)) {
+    if (!part.mesh.collider || part.mesh.collider->isEmpty()) continue;
     PlacedPart at{&part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints(), part.link), {}};
     at.bounds_W = geometry::transformed(at.X_WP, part.mesh.collider->bounds());
     placed.push_back(std::move(at));
@@ -48,14 +50,14 @@ std::vector<const Entity*> familyOf(const PreparedScene& scene, const Entity& en
 }
 
 /// The nearest parts of two entities; nothing where none are nearer than `limit`, or none are checked.
-std::optional<PairState> nearestParts(const PreparedScene& scene, const workcell::EffectivePair& rule, double limit) {
+std::optional<PairState> nearestParts(const PreparedScene& scene, const std::vector<PlacedPart>& own,
+                                      const workcell::EffectivePair& rule, double limit) {
   PairState nearest;
   nearest.moved = rule.moved;
   nearest.other = rule.other;
   nearest.near_miss_distance = rule.near_miss;
   nearest.distance = limit;
   bool found = false;
-  const std::vector<PlacedPart> own = placedParts(scene, rule.moved);
   for (const PlacedPart& other : placedParts(scene, rule.other)) {
     for (const PlacedPart& part : own) {
       if (leastDistance(part.bounds_W, other.bounds_W) >= nearest.distance) continue;
@@ -87,10 +89,11 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
     return std::any_of(family.begin(), family.end(), [id](const Entity* one) { return one->id == id; });
   };
   for (const Entity* one : family) {
+    const std::vector<PlacedPart> own = placedParts(scene, one->id);
     for (const workcell::EffectivePair& rule : scene.pairsOf(one->id, entity->contact.on_contact)) {
       // Of what goes along only what is carried against the links of what carries it all, as while it is held.
       if (goes_along(rule.other) && (one == entity || rule.other != moved || !entity->robot())) continue;
-      if (auto nearest = nearestParts(scene, rule, limit)) pairs.push_back(std::move(*nearest));
+      if (auto nearest = nearestParts(scene, own, rule, limit)) pairs.push_back(std::move(*nearest));
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
@@ -98,28 +101,36 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
 }
 
 std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, double tolerance) {
-  std::vector<workcell::PairRule> rules;
-  std::vector<std::vector<PlacedPart>> parts;
-  for (const Entity& entity : scene.entities()) parts.push_back(placedParts(scene, entity.id));
-  const auto index = [&](workcell::EntityId id) {
-    return static_cast<std::size_t>(scene.find(id) - scene.entities().data());
-  };
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Entity& entity = scene.entities()[i];
-    if (parts[i].empty()) continue;
-    for (const workcell::EffectivePair& pair : scene.pairsOf(entity.id, entity.contact.on_contact)) {
-      const std::size_t j = index(pair.other);
-      const Entity& other = scene.entities()[j];
-      if (j < i || (entity.locked && other.locked)) continue;
-      for (const PlacedPart& a : parts[i]) {
-        for (const PlacedPart& b : parts[j]) {
-          if (leastDistance(a.bounds_W, b.bounds_W) > tolerance || !scene.isChecked(*a.part, *b.part)) continue;
-          collision::ProximityQuery query(a.part->mesh.collider, b.part->mesh.collider);
-          if (!query.within(a.X_WP, b.X_WP, tolerance) && !query.collides(a.X_WP, b.X_WP)) continue;
-          rules.push_back({entity.name, a.part->name, other.name, b.part->name, false, {}});
-        }
-      }
+  const std::vector<Entity>& entities = scene.entities();
+  std::vector<PlacedPart> parts;
+  std::vector<std::size_t> entity_of;
+  collision::PartTree tree;
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    for (PlacedPart& part : placedParts(scene, entities[i].id)) {
+      tree.place(static_cast<std::uint32_t>(parts.size()), part.bounds_W);
+      parts.push_back(std::move(part));
+      entity_of.push_back(i);
     }
+  }
+  // In the order of the document: by the two entities, then by their parts.
+  using Touching = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>;
+  std::vector<Touching> near;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    tree.visitNear(parts[a].bounds_W, tolerance, [&](std::uint32_t b) {
+      if (entity_of[b] > entity_of[a]) near.emplace_back(entity_of[a], entity_of[b], a, b);
+    });
+  }
+  std::sort(near.begin(), near.end());
+  const workcell::PairFinder pairs(entities, scene.pairs().sets, scene.defaults());
+  std::vector<workcell::PairRule> rules;
+  for (const auto& [i, j, first, second] : near) {
+    const Entity &entity = entities[i], &other = entities[j];
+    const PlacedPart &a = parts[first], &b = parts[second];
+    if ((entity.locked && other.locked) || leastDistance(a.bounds_W, b.bounds_W) > tolerance) continue;
+    if (!pairs.pairOf(entity, other) || !scene.isChecked(*a.part, *b.part)) continue;
+    collision::ProximityQuery query(a.part->mesh.collider, b.part->mesh.collider);
+    if (!query.within(a.X_WP, b.X_WP, tolerance) && !query.collides(a.X_WP, b.X_WP)) continue;
+    rules.push_back({entity.name, a.part->name, other.name, b.part->name, false, {}});
   }
   return rules;
 }

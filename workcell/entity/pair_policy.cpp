@@ -17,27 +17,30 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// Looked up without a walk over all entities for each of them.
-class Tree {
- public:
-  explicit Tree(std::span<const Entity> entities) {
-    for (const Entity& entity : entities) by_name_.emplace(entity.name, &entity);
-  }
+using ByName = std::unordered_map<std::string_view, const Entity*>;
 
-  Names namesOf(const Entity& entity) const {
-    Names names{entity.name};
-    // No more steps than entities: documents that were read may stand in circles.
-    for (std::string_view parent = entity.parent; !parent.empty() && names.size() <= by_name_.size() + 1;) {
-      if (parent == entity.name) break;
-      names.emplace_back(parent);
-      const auto above = by_name_.find(parent);
-      parent = above == by_name_.end() ? std::string_view() : std::string_view(above->second->parent);
-    }
-    return names;
-  }
+ByName byName(std::span<const Entity> entities) {
+  ByName by_name;
+  for (const Entity& entity : entities) by_name.emplace(entity.name, &entity);
+  return by_name;
+}
 
- private:
-  std::unordered_map<std::string_view, const Entity*> by_name_;
-};
+Names namesOf(const ByName& by_name, const Entity& entity) {
+  Names names{entity.name};
+  // No more steps than entities: documents that were read may stand in circles.
+  for (std::string_view parent = entity.parent; !parent.empty() && names.size() <= by_name.size() + 1;) {
+    if (parent == entity.name) break;
+    names.emplace_back(parent);
+    const auto above = by_name.find(parent);
+    parent = above == by_name.end() ? std::string_view() : std::string_view(above->second->parent);
+  }
+  return names;
+}
+
+bool takesPart(const Entity& entity) {
+  if (!entity.checked || entity.kind() == EntityKind::kFrame) return false;
+  return entity.kind() != EntityKind::kAssembly || entity.mesh();  // It has no shape: its parts are there.
+}
 
 /// The names of an assembly and of all that stands below it; nothing for others. Parents may come behind their
 /// children.
@@ -69,12 +72,22 @@ bool joins(const PairSet& set, const Names& a, const Names& b) {
   return (means(set.first, a) && means(set.second, b)) || (means(set.first, b) && means(set.second, a));
 }
 
-std::optional<EffectivePair> pairOf(const Entity& moved, const Names& moved_names, const Entity& other,
-                                    const Names& other_names, std::span<const PairSet> sets) {
+/// The moved entity, as the pairs know it.
+struct Moved {
+  EntityId id;
+  Names names;
+  OnContact on_contact;
+};
+
+std::optional<EffectivePair> pairOf(const Moved& moved, const Entity& other, const ByName& by_name,
+                                    std::span<const PairSet> sets, const PairDefaults& defaults) {
+  if (sets.empty())
+    return EffectivePair{moved.id, other.id, defaults.safety_distance, defaults.near_miss, moved.on_contact};
+  const Names other_names = namesOf(by_name, other);
   std::optional<EffectivePair> pair;
   for (const PairSet& set : sets) {
-    if (!set.enabled || !joins(set, moved_names, other_names)) continue;
-    if (!pair) pair = EffectivePair{moved.id, other.id, 0.0, 0.0, moved.contact.on_contact};
+    if (!set.enabled || !joins(set, moved.names, other_names)) continue;
+    if (!pair) pair = EffectivePair{moved.id, other.id, 0.0, 0.0, moved.on_contact};
     pair->safety_distance = std::max(pair->safety_distance, set.safety_distance);
     pair->near_miss = std::max(pair->near_miss, set.near_miss);
     if (set.on_contact) pair->on_contact = *set.on_contact;
@@ -97,8 +110,8 @@ const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const Pair
   };
   const auto first = find(a), second = find(b);
   if (sets.empty() || first == entities.end() || second == entities.end()) return nullptr;
-  const Tree tree(entities);
-  const Names first_names = tree.namesOf(*first), second_names = tree.namesOf(*second);
+  const ByName by_name = byName(entities);
+  const Names first_names = namesOf(by_name, *first), second_names = namesOf(by_name, *second);
   const PairSet* last = nullptr;
   for (const PairSet& set : sets)
     if (set.enabled && joins(set, first_names, second_names)) last = &set;
@@ -149,25 +162,33 @@ RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, in
 }
 
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
-                                          EntityId moved, const PairDefaults& defaults) {
+                                          EntityId moved, const PairDefaults& defaults,
+                                          std::optional<OnContact> on_contact) {
   std::vector<EffectivePair> pairs;
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
   if (held == entities.end() || !held->checked || held->kind() == EntityKind::kFrame) return pairs;
-  const Tree tree(entities);
-  const Names held_names = tree.namesOf(*held);
+  const ByName by_name = sets.empty() ? ByName() : byName(entities);
+  const Moved held_one{moved, namesOf(by_name, *held), on_contact.value_or(held->contact.on_contact)};
   const std::set<std::string_view> family = familyNames(entities, *held);
   for (const Entity& other : entities) {
-    if (other.id == moved || !other.checked) continue;
-    if (other.kind() == EntityKind::kFrame) continue;
-    if (other.kind() == EntityKind::kAssembly && !other.mesh()) continue;  // It has no shape: its parts are there.
-    if (family.contains(other.parent)) continue;                       // It goes along with the held assembly.
-    if (sets.empty()) {
-      pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->contact.on_contact});
-    } else if (const auto pair = pairOf(*held, held_names, other, tree.namesOf(other), sets)) {
-      pairs.push_back(*pair);
-    }
+    if (other.id == moved || !takesPart(other)) continue;
+    if (!family.empty() && family.contains(other.parent)) continue;  // It goes along with the held assembly.
+    if (const auto pair = pairOf(held_one, other, by_name, sets, defaults)) pairs.push_back(*pair);
   }
   return pairs;
+}
+
+PairFinder::PairFinder(std::span<const Entity> entities, std::span<const PairSet> sets, const PairDefaults& defaults)
+    : sets_(sets), defaults_(defaults), by_name_(byName(entities)) {}
+
+std::optional<EffectivePair> PairFinder::pairOf(const Entity& moved, const Entity& other) const {
+  if (moved.id == other.id || !moved.checked || moved.kind() == EntityKind::kFrame || !takesPart(other)) return {};
+  if (moved.kind() == EntityKind::kAssembly) {
+    const Names above = namesOf(by_name_, other);
+    if (std::find(above.begin() + 1, above.end(), moved.name) != above.end()) return {};
+  }
+  const Names names = sets_.empty() ? Names{} : namesOf(by_name_, moved);
+  return workcell::pairOf({moved.id, names, moved.contact.on_contact}, other, by_name_, sets_, defaults_);
 }
 
 }  // namespace hapticell::workcell

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "workcell/entity/entity.h"
@@ -31,8 +33,24 @@ struct EffectivePair {
 /// means everything, an assembly's name everything below it). Where several name a pair, its larger distances and the
 /// later set's choice on contact count. Entities that are not `checked` take no part; neither does the moved one
 /// against itself (the links of one robot are the manipulation loop's matter). Empty when there is no entity `moved`.
+/// `on_contact`: instead of the moved entity's own choice.
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
-                                          EntityId moved, const PairDefaults& defaults = {});
+                                          EntityId moved, const PairDefaults& defaults = {},
+                                          std::optional<OnContact> on_contact = {});
+
+/// The same for two entities at a time, for who knows already which ones matter: a walk over all of them is made once.
+/// Entities and sets must outlive it. Any thread.
+class PairFinder {
+ public:
+  PairFinder(std::span<const Entity> entities, std::span<const PairSet> sets, const PairDefaults& defaults = {});
+  /// What effectivePairs() of `moved` says of `other`; nothing where it does not name it. Both are of the entities.
+  std::optional<EffectivePair> pairOf(const Entity& moved, const Entity& other) const;
+
+ private:
+  std::span<const PairSet> sets_;
+  PairDefaults defaults_;
+  std::unordered_map<std::string_view, const Entity*> by_name_;
+};
 
 /// The set whose choices count for these two: the last enabled one that joins them; null where none does.
 const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const PairSet> sets, EntityId a, EntityId b);

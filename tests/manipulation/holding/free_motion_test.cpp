@@ -165,5 +165,62 @@ TEST(FreeMotionWithLinks, AnswersAsIfItHadKeptNothing) {
   EXPECT_GT(moved, 150);
 }
 
+/// Boxes here and there in a hall, so that most are far from the ball: each for itself says the same as all together.
+TEST(FreeMotion, WhatIsFarStillStopsWhenItComesNear) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto ball = collision::MeshCollider::build(geometry::makeSphere(0.05, 12));
+  const auto block = collision::MeshCollider::build(geometry::makeBox({0.2, 0.1, 0.1}));
+  std::vector<Obstacle> obstacles;
+  std::vector<MotionPair> pairs;
+  for (std::uint32_t i = 0; i < 150; ++i) {
+    const dvec3 p = 2.0 * dvec3(unit(random), unit(random), unit(random));
+    if (glm::length(p) > 0.3) obstacles.push_back({block, Pose::translation(p)});
+  }
+  for (std::uint32_t i = 0; i < obstacles.size(); ++i) pairs.push_back({0, i, true});
+  const SolidManipulator manipulator(Pose::identity(), {Pose::identity()});
+  FreeMotion motion({ball}, obstacles, pairs);
+  EntityConfiguration now = at(dvec3(0.0));
+  motion.reset(manipulator, now);
+  int blocked = 0;
+  std::vector<FreeMotion::PairDistance> near;
+  for (int step = 0; step < 400; ++step) {
+    if (step % 7 == 0) {
+      const auto i = static_cast<std::uint32_t>(random() % obstacles.size());
+      const Pose X = Pose::translation(2.0 * dvec3(unit(random), unit(random), unit(random)));
+      if (collision::distance(ball, now.X_WE, block, X).distance > 0.01) {
+        obstacles[i].X_WO = X;
+        motion.moveObstacle(i, X);
+      }
+    }
+    const double length = step % 3 == 0 ? 1.0 : 0.02;
+    const dvec3 wanted = now.X_WE.p + length * dvec3(unit(random), unit(random), unit(random));
+    const EntityConfiguration next = at(glm::clamp(wanted, dvec3(-2.0), dvec3(2.0)));
+    double first = 1.0;
+    for (const Obstacle& obstacle : obstacles) {
+      collision::ProximityQuery query(ball, obstacle.collider);
+      first = std::min(first, collision::advance(query, collision::straightMotion(now.X_WE, next.X_WE, *ball),
+                                                 collision::standingStill(obstacle.X_WO), {FreeMotion::kStandOff})
+                                  .s);
+    }
+    const MotionAnswer answer = motion.advance(manipulator, now, next);
+    ASSERT_NEAR(answer.s, first, 1e-4 / std::max(1e-3, glm::distance(now.X_WE.p, next.X_WE.p))) << step;
+    blocked += answer.blocked;
+    now = manipulator.between(now, next, answer.s);
+    const double limit = step % 5 == 0 ? 0.7 : 0.05;
+    motion.distances(limit, near);
+    std::size_t found = 0;
+    for (std::uint32_t i = 0; i < obstacles.size(); ++i) {
+      const double exact = collision::distance(ball, now.X_WE, block, obstacles[i].X_WO).distance;
+      if (exact >= limit) continue;
+      ASSERT_LT(found, near.size());
+      EXPECT_EQ(near[found].pair, i) << "in the order of the pairs";
+      EXPECT_NEAR(near[found++].result.distance, exact, 1e-9);
+    }
+    EXPECT_EQ(found, near.size());
+  }
+  EXPECT_GT(blocked, 20);
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation

@@ -74,5 +74,33 @@ TEST(PreparedScene, TheExactCheckKeepsWhatNoSurfaceIsMadeOf) {
   EXPECT_NEAR(collider->bounds().max.z, 0.2, 1e-12);
 }
 
+TEST(PreparedScene, FindsEntitiesPartsAndRulesByTables) {
+  std::vector<workcell::Entity> entities;
+  for (int i = 1; i <= 20; ++i) {
+    entities.push_back(test::solid(static_cast<workcell::EntityId>(100 + i), "part" + std::to_string(i),
+                                   geometry::makeBox(dvec3(0.1))));
+  }
+  entities[4].mesh = nullptr;
+  const std::vector<workcell::PairRule> rules{{.first = "part1", .second = "part2", .checked = false},
+                                              {.first = "part3", .second = "part1", .checked = false},
+                                              {.first = "part2", .second = "part1", .checked = true}};
+  const auto scene = PreparedScene::prepare(entities, workcell::PairPolicy({}, rules), {});
+  for (const workcell::Entity& entity : scene->entities()) {
+    EXPECT_EQ(scene->find(entity.id), &entity);
+    EXPECT_EQ(scene->find(entity.name), &entity);
+    ASSERT_EQ(scene->partsOf(entity.id).size(), entity.mesh ? 1u : 0u);
+    if (entity.mesh) {
+      EXPECT_EQ(scene->partsOf(entity.id).front().entity, entity.id);
+    }
+  }
+  EXPECT_EQ(scene->find(workcell::EntityId{7}), nullptr);
+  EXPECT_TRUE(scene->partsOf(7).empty());
+  const auto part = [&](workcell::EntityId id) -> const ScenePart& { return scene->partsOf(id).front(); };
+  EXPECT_TRUE(scene->isChecked(part(101), part(102))) << "the later rule counts";
+  EXPECT_FALSE(scene->isChecked(part(101), part(103)));
+  EXPECT_TRUE(scene->isChecked(part(102), part(103)));
+  EXPECT_EQ(scene->ruleFor(part(104), part(106)), nullptr);
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 namespace hapticell::workcell {
 namespace {
 
@@ -127,6 +130,34 @@ TEST(PairPolicy, WhatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
   EXPECT_EQ(rigidBodyOf(entities, table, -1), (RigidBody{robot.id, 1}));
   gripper.attachment.to = "nobody";
   EXPECT_EQ(rigidBodyOf(entities, part, -1), (RigidBody{gripper.id, 0}));
+}
+
+TEST(PairFinder, SaysOfTwoWhatTheWholeListSays) {
+  auto entities = named({"cell", "group", "a", "b", "c", "d", "frame"});
+  entities[0].kind = entities[1].kind = EntityKind::kAssembly;
+  entities[1].parent = "cell";
+  entities[2].parent = entities[3].parent = "group";
+  entities[4].checked = false;
+  entities[6].kind = EntityKind::kFrame;
+  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>();
+  const std::vector<PairSet> some = {{.name = "s", .first = {"group"}, .second = {"d"}, .safety_distance = 0.004},
+                                     {.name = "t", .first = {"a"}, .second = {}, .near_miss = 0.05}};
+  for (const auto& sets : {std::vector<PairSet>{}, some}) {
+    const PairFinder finder(entities, sets, {0.002, 0.03});
+    for (const Entity& moved : entities) {
+      const auto pairs = effectivePairs(entities, sets, moved.id, {0.002, 0.03});
+      for (const Entity& other : entities) {
+        const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.other == other.id; });
+        const auto found = finder.pairOf(moved, other);
+        ASSERT_EQ(found.has_value(), at != pairs.end()) << moved.name << " " << other.name;
+        if (!found) continue;
+        EXPECT_EQ(found->safety_distance, at->safety_distance);
+        EXPECT_EQ(found->near_miss, at->near_miss);
+        EXPECT_EQ(found->on_contact, at->on_contact);
+      }
+    }
+  }
+  EXPECT_EQ(effectivePairs(entities, {}, 3, {}, OnContact::kPass).front().on_contact, OnContact::kPass);
 }
 
 }  // namespace
