@@ -45,15 +45,17 @@ ordered_json answerJson(const FreeAnswer& answer, bool all) {
   return json;
 }
 
-/// `per_second`: solutions free of contact that were found in a second of wall time, on all threads.
+/// `per_second`: solutions free of contact that were found in a second of wall time, on all threads;
+/// `per_second_a_core`: in a second of one core's time, whatever else the machine did.
 ordered_json timingJson(const manipulation::InverseBatch& batch) {
   const auto rate = [&](std::size_t count) {
     return batch.seconds > 0.0 ? static_cast<double>(count) / batch.seconds : 0.0;
   };
+  const double of_a_core = batch.cpu_seconds > 0.0 ? static_cast<double>(batch.free) / batch.cpu_seconds : 0.0;
   return {{"seconds", batch.seconds},
           {"threads", batch.threads},
           {"per_second", rate(batch.free)},
-          {"per_second_a_core", rate(batch.free) / batch.threads},
+          {"per_second_a_core", of_a_core},
           {"checked_per_second", rate(batch.checked)},
           {"poses_per_second", rate(batch.answers.size())}};
 }

@@ -18,7 +18,7 @@ namespace hapticell::cli {
 
 namespace {
 
-std::string readAll(int pipe) {
+std::string readToEnd(int pipe) {
   std::string text;
   std::array<char, 4096> piece{};
   while (true) {
@@ -54,7 +54,7 @@ Expected<ProgramAnswer> callProgram(const std::string& name, const std::vector<s
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   ProgramAnswer answer;
-  if (fault == 0) answer.output = readAll(ends[0]);
+  if (fault == 0) answer.output = readToEnd(ends[0]);
   close(ends[0]);
   if (fault != 0) return makeError({.file = program.string(), .found = systemText(fault)});
   int status = 0;

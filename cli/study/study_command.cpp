@@ -102,7 +102,9 @@ Expected<ordered_json> bestOfStudy(const StudyOptions& options) {
 Expected<ordered_json> exportStudy(const StudyOptions& options, bool& printed) {
   std::string results = options.results;
   std::string output = options.output;
-  if (!options.csv_words.empty()) (results.empty() ? results : output) = options.csv_words.front();
+  // Without a word the option holds an empty one.
+  for (const std::string& word : options.csv_words)
+    if (!word.empty()) (results.empty() ? results : output) = word;
   if (results.empty())
     return makeError({.place = "RESULTS", .found = "no results file", .expected = "the file that study run wrote"});
   const auto store = ResultStore::open(results, false);

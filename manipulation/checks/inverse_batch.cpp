@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 
 #include "kinematics/closed_form/inverse_factory.h"
 
@@ -81,10 +82,12 @@ Expected<InverseBatch> freeInverse(std::shared_ptr<const PreparedScene> scene, w
     }
   };
   const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t cpu_begin = std::clock();
   const std::size_t blocks = (poses.size() + kInverseBlock - 1) / kInverseBlock;
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   batch.threads = arena.max_concurrency();
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, blocks, solve); });
+  batch.cpu_seconds = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
   batch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (options.until_missing && first_missing < poses.size()) batch.answers.resize(first_missing + 1);
   for (const FreeAnswer& answer : batch.answers) {

@@ -44,6 +44,7 @@ struct InverseBatch {
   std::size_t checked = 0;          ///< Solutions checked against the cell.
   std::size_t free = 0;             ///< Of these, free of contact.
   double seconds = 0.0;             ///< Wall time.
+  double cpu_seconds = 0.0;         ///< Of the process, on all cores, meanwhile.
   int threads = 1;
   std::string inverse_model;  ///< InverseModel::name()
   Text note;                  ///< JointCheck::note()

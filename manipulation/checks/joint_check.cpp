@@ -104,7 +104,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
     plan->X_WO.push_back(held.obstacles()[i].X_W);
   }
   JointCheck check(plan);
-  check.place(plan->model.form().joints);
+  check.place(plan->model.form().joints, check.scene_);
   // Whether the base is in contact does not depend on the joints: it is asked once.
   for (std::size_t i = 0; i < plan->pairs.size(); ++i) {
     if (!plan->pairs[i].fixed) continue;
@@ -136,36 +136,36 @@ JointCheck JointCheck::fresh() const {
   return JointCheck(plan_);
 }
 
-void JointCheck::place(const std::vector<double>& joints) {
+void JointCheck::place(const std::vector<double>& joints, collision::Scene& scene) {
   const workcell::Entity& form = plan_->model.form();
   kinematics::forwardKinematics(*form.robot, joints, X_BL_);
   const std::vector<MovedPart>& moved = plan_->model.parts();
   for (std::uint32_t i = 0; i < moved.size(); ++i) {
     const Pose X_WP = form.X_WE * X_BL_[static_cast<std::size_t>(std::max(0, moved[i].link))] * moved[i].X_LP;
-    scene_.setPose(i, X_WP);
-    obstacles_.setPose(i, X_WP);
+    scene.setPose(i, X_WP);
   }
 }
 
 bool JointCheck::isFree(const std::vector<double>& joints, double clearance) {
   if (!plan_->base_contact.empty()) return false;
-  place(joints);
+  place(joints, scene_);
   if (scene_.collides()) return false;
   if (!(clearance > 0.0)) return true;
+  place(joints, obstacles_);
   const auto nearest = obstacles_.nearest(clearance);
   return !nearest || nearest->result.distance >= clearance;
 }
 
 double JointCheck::clearance(const std::vector<double>& joints, double limit) {
   if (!plan_->base_contact.empty()) return 0.0;
-  place(joints);
+  place(joints, obstacles_);
   const auto nearest = obstacles_.nearest(limit);
   return nearest ? nearest->result.distance : limit;
 }
 
 Text JointCheck::contactAt(const std::vector<double>& joints) {
   if (!plan_->base_contact.empty()) return plan_->base_contact;
-  place(joints);
+  place(joints, scene_);
   const auto nearest = scene_.nearest(collision::kTouchingDistance);
   return nearest && nearest->result.colliding ? contactText(plan_->pairs[nearest->pair]) : Text();
 }

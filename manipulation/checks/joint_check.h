@@ -47,7 +47,7 @@ class JointCheck {
  private:
   struct Plan;
   explicit JointCheck(std::shared_ptr<const Plan> plan);
-  void place(const std::vector<double>& joints);
+  void place(const std::vector<double>& joints, collision::Scene& scene);
   Text wordsOf(collision::PairIndex pair) const;
 
   std::shared_ptr<const Plan> plan_;

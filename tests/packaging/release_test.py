@@ -19,7 +19,7 @@ ROOT, BUILT = pathlib.Path(sys.argv[1]), sys.argv[2:]
 # Those of https://spdx.org/licenses that the project's libraries have.
 LICENCES = {"Apache-2.0", "BSD-2-Clause", "BSD-3-Clause", "BSL-1.0", "CC0-1.0", "GPL-2.0-only", "GPL-2.0-or-later", "GPL-3.0-only",
             "GPL-3.0-or-later", "ISC", "LGPL-2.0-only", "LGPL-2.0-or-later", "LGPL-2.1-only", "LGPL-2.1-or-later", "LGPL-3.0-only",
-            "LGPL-3.0-or-later", "MIT", "MPL-1.1", "MPL-2.0", "Zlib"}
+            "LGPL-3.0-or-later", "MIT", "MPL-1.1", "MPL-2.0", "Zlib", "blessing"}
 EXCEPTIONS = {"GCC-exception-3.1", "OCCT-exception-1.0", "Qt-GPL-exception-1.0"}
 RELATIONS = {"DESCRIBES", "DYNAMIC_LINK", "STATIC_LINK", "RUNTIME_DEPENDENCY_OF", "BUILD_TOOL_OF", "GENERATED_FROM"}
 
