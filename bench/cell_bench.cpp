@@ -44,7 +44,7 @@ std::vector<workcell::Entity> cellOf(int parts) {
     workcell::Entity entity;
     entity.id = static_cast<workcell::EntityId>(i + 1);
     entity.name = "part" + std::to_string(i + 1);
-    entity.mesh = shapes[i % 3];
+    entity.body = workcell::Solid{shapes[i % 3]};
     entity.X_WE = places[static_cast<std::size_t>(i)];
     if (i % 3 == 0) entity.X_WE = Pose::translation(places[static_cast<std::size_t>(i)].p);
     entities.push_back(std::move(entity));

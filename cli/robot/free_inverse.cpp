@@ -99,8 +99,8 @@ Expected<FreeInverseAnswer> solveFree(const FreeInverseOptions& options, const s
   }
   answer.all_solved = answer.all_solved && batch->answers.size() == poses->size();
   ordered_json joint_names = ordered_json::array();
-  for (const int joint : (*robot)->robot->moving)
-    joint_names.push_back((*robot)->robot->joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : (*robot)->robot()->moving)
+    joint_names.push_back((*robot)->robot()->joints[static_cast<std::size_t>(joint)].name);
   answer.document = {{"robot", (*robot)->name},          {"joint_names", std::move(joint_names)},
                      {"inverse_model", batch->inverse_model}, {"poses", poses->size()},
                      {"checked", batch->checked},        {"free", batch->free},

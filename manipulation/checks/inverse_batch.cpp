@@ -28,15 +28,15 @@ void lowerTo(std::atomic<std::size_t>& least, std::size_t value) {
 }  // namespace
 
 Expected<std::unique_ptr<kinematics::InverseModel>> inverseToTool(const workcell::Entity& robot) {
-  if (!robot.robot)
+  if (!robot.robot())
     return makeError(
         {.place = Text("entity '%1'", robot.name), .found = "it has no joints", .expected = "a robot or a mechanism"});
-  const int tip = robot.tip_link.empty() ? robot.robot->defaultTip() : robot.robot->findLink(robot.tip_link);
+  const int tip = robot.jointed().tip_link.empty() ? robot.robot()->defaultTip() : robot.robot()->findLink(robot.jointed().tip_link);
   if (tip < 0)
     return makeError({.place = Text("entity '%1'", robot.name),
-                      .found = Text("no link is named '%1'", robot.tip_link),
+                      .found = Text("no link is named '%1'", robot.jointed().tip_link),
                       .expected = "a link of the robot that carries the tool"});
-  return kinematics::createInverse(*robot.robot, tip, robot.X_LT);
+  return kinematics::createInverse(*robot.robot(), tip, robot.jointed().X_LT);
 }
 
 FreeAnswer freeSolutions(const kinematics::InverseModel& inverse, JointCheck& check, const Pose& X_BT,
@@ -61,11 +61,11 @@ Expected<InverseBatch> freeInverse(std::shared_ptr<const PreparedScene> scene, w
   const workcell::Entity& entity = check->entity();
   const auto inverse = inverseToTool(entity);
   HAPTICELL_TRY(inverse);
-  const std::vector<double>& start = options.start.empty() ? entity.joints : options.start;
-  if (start.size() != entity.robot->dof())
+  const std::vector<double>& start = options.start.empty() ? entity.joints() : options.start;
+  if (start.size() != entity.robot()->dof())
     return makeError({.place = Text("entity '%1'", entity.name),
                       .found = Text("%1 joint positions", start.size()),
-                      .expected = Text("%1 joint positions", entity.robot->dof())});
+                      .expected = Text("%1 joint positions", entity.robot()->dof())});
   InverseBatch batch;
   batch.inverse_model = (*inverse)->name();
   batch.note = check->note();

@@ -54,7 +54,7 @@ Text contactText(const CheckedPair& pair) {
 }
 
 std::vector<CheckedPair> pairsOf(const HeldModel& model, const HeldPairs& held) {
-  const kinematics::RobotModel& robot = *model.form().robot;
+  const kinematics::RobotModel& robot = *model.form().robot();
   const auto moved = [&](std::size_t part) { return isMoved(robot, std::max(0, model.parts()[part].link)); };
   std::vector<CheckedPair> pairs;
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -85,7 +85,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
   const workcell::Entity* entity = scene->find(id);
   if (entity == nullptr)
     return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
-  if (!entity->robot)
+  if (!entity->robot())
     return makeError({.place = Text("entity '%1'", entity->name),
                       .found = "it has no joints",
                       .expected = "a robot or a mechanism"});
@@ -95,7 +95,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
   auto plan = std::make_shared<Plan>(HeldModel(std::move(scene), free, {}, false, notes));
   const auto manipulator = manipulatorOf(plan->model, configuration);
   HAPTICELL_TRY(manipulator);
-  const HeldPairs held(plan->model, **manipulator, {}, {MovedBy(), entity->on_contact, entity->force_class},
+  const HeldPairs held(plan->model, **manipulator, {}, {MovedBy(), entity->contact.on_contact, entity->contact.force_class},
                        configuration);
   plan->note = held.leftOutNote();
   plan->pairs = pairsOf(plan->model, held);
@@ -104,7 +104,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
     plan->X_WO.push_back(held.obstacles()[i].X_W);
   }
   JointCheck check(plan);
-  check.place(plan->model.form().joints, check.scene_);
+  check.place(plan->model.form().joints(), check.scene_);
   // Whether the base is in contact does not depend on the joints: it is asked once.
   for (std::size_t i = 0; i < plan->pairs.size(); ++i) {
     if (!plan->pairs[i].fixed) continue;
@@ -138,7 +138,7 @@ JointCheck JointCheck::fresh() const {
 
 void JointCheck::place(const std::vector<double>& joints, collision::Scene& scene) {
   const workcell::Entity& form = plan_->model.form();
-  kinematics::forwardKinematics(*form.robot, joints, X_BL_);
+  kinematics::forwardKinematics(*form.robot(), joints, X_BL_);
   const std::vector<MovedPart>& moved = plan_->model.parts();
   for (std::uint32_t i = 0; i < moved.size(); ++i) {
     const Pose X_WP = form.X_WE * X_BL_[static_cast<std::size_t>(std::max(0, moved[i].link))] * moved[i].X_LP;

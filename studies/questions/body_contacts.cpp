@@ -32,15 +32,15 @@ bool areApart(const geometry::Bounds& a, const geometry::Bounds& b) {
 
 std::string enteredByBody(const PreparedScene& scene, const workcell::Entity& body,
                           const mannequin::Posture& posture) {
-  const auto stands = mannequin::toModel(*body.figure, posture);
+  const auto stands = mannequin::toModel(*body.figure(), posture);
   for (const ScenePart& part : scene.parts()) {
-    if (part.entity != body.id || touchesWork(*body.robot, part.link)) continue;
+    if (part.entity != body.id || touchesWork(*body.robot(), part.link)) continue;
     const Pose X_WP = PreparedScene::partPose(body, stands.X_WE, stands.joints, part.link);
     const geometry::Bounds bounds_W = geometry::transformed(X_WP, part.mesh.collider->bounds());
     for (const ScenePart& other : scene.parts()) {
       const workcell::Entity& owner = *scene.find(other.entity);
       if (owner.id == body.id || !owner.checked || owner.attachment.to == body.name) continue;
-      const Pose X_WO = PreparedScene::partPose(owner, owner.X_WE, owner.joints, other.link);
+      const Pose X_WO = PreparedScene::partPose(owner, owner.X_WE, owner.joints(), other.link);
       if (areApart(bounds_W, geometry::transformed(X_WO, other.mesh.collider->bounds()))) continue;
       if (!scene.isChecked(part, other)) continue;
       if (collision::distance(part.mesh.collider, X_WP, other.mesh.collider, X_WO, kNear).colliding) return owner.name;

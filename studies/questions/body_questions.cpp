@@ -41,7 +41,7 @@ constexpr Method kMethods[] = {
     {"comfort", true, [](const auto&, const auto&, const auto& s, const auto&) { return std::optional<double>(s.comfort); }},
     {"lifting_index", false,
      [](const Entity& body, const auto& pose, const auto& s, const auto& task) {
-       const auto lift = ergonomics::scoreLift(*body.figure, pose, s, task);
+       const auto lift = ergonomics::scoreLift(*body.figure(), pose, s, task);
        return lift ? lift->lifting_index : std::nullopt;
      }},
 };
@@ -104,8 +104,8 @@ class PostureQuestion : public Question {
 
   void count(const manipulation::PreparedScene& scene, const workcell::Document& document, Tally& tally) const {
     const Entity& body = *document.findByName(settings_.body);
-    const mannequin::Figure& figure = *body.figure;
-    const mannequin::Posture start = mannequin::toPosture(figure, {body.X_WE, body.joints});
+    const mannequin::Figure& figure = *body.figure();
+    const mannequin::Posture start = mannequin::toPosture(figure, {body.X_WE, body.joints()});
     const Pose X_WF = settings_.frame.empty() ? Pose() : document.findByName(settings_.frame)->X_WE;
     for (const HandTargets& step : settings_.targets) {
       const auto found = mannequin::PostureSolver(figure).solve(taskOf(figure, X_WF, step), start);
@@ -136,8 +136,8 @@ class PostureQuestion : public Question {
   }
 
   void score(const Entity& body, const mannequin::Posture& posture, std::vector<std::optional<double>>& worst) const {
-    const auto pose = mannequin::forwardKinematics(*body.figure, posture);
-    const PostureScores scores = ergonomics::scorePosture(*body.figure, posture, pose, settings_.task);
+    const auto pose = mannequin::forwardKinematics(*body.figure(), posture);
+    const PostureScores scores = ergonomics::scorePosture(*body.figure(), posture, pose, settings_.task);
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const Method& method = *settings_.methods[i];
       const auto value = method.score(body, pose, scores, settings_.task);
@@ -166,7 +166,7 @@ class SightQuestion : public Question {
   Expected<std::vector<Answer>> answer(VariantCell& cell) const override {
     const Entity& body = *cell.document.findByName(body_);
     const Entity& target = *cell.document.findByName(target_);
-    const auto posture = mannequin::toPosture(*body.figure, {body.X_WE, body.joints});
+    const auto posture = mannequin::toPosture(*body.figure(), {body.X_WE, body.joints()});
     const auto sight = manipulation::sightOfTarget(*cell.scene(), body, posture, target.id);
     std::vector<Answer> answers{sight.seen, std::string(mannequin::wordOf(sight.zone)), sight.distance, Answer()};
     if (!sight.hidden_by.empty()) answers[3] = sight.hidden_by;
@@ -184,7 +184,7 @@ Expected<std::string> readBody(SectionReader& reader, const StudySection& sectio
   HAPTICELL_TRY(reader.check());
   const auto entity = inputs.entityNamed(section, name);
   HAPTICELL_TRY(entity);
-  if (!(*entity)->figure)
+  if (!(*entity)->figure())
     return makeError(section.fault(Text("entity '%1' of another kind", name), Text("a mannequin")));
   return name;
 }

@@ -51,8 +51,8 @@ class CycleTime : public Question {
     const auto solved = solvedTargets(cell, list_);
     HAPTICELL_TRY(solved);
     const Entity& robot = *cell.document.find((*solved)->robot);
-    const JointRates rates = jointRates(*robot.robot, settings_.time_to_speed);
-    const CycleRoute route = fastestRoute(rates, robot.joints, (*solved)->targets, settings_.returns);
+    const JointRates rates = jointRates(*robot.robot(), settings_.time_to_speed);
+    const CycleRoute route = fastestRoute(rates, robot.joints(), (*solved)->targets, settings_.returns);
     if (route.stops.empty()) return std::vector<Answer>(columns().size());
     const double time = route.time_s + settings_.dwell * static_cast<double>(route.stops.size());
     std::vector<Answer> answers{time, static_cast<std::int64_t>(route.changes)};
@@ -72,10 +72,10 @@ class CycleTime : public Question {
     motion.entity = robot.name;
     motion.moved = "tcp";
     motion.has_poses = false;
-    for (const int joint : robot.robot->moving)
-      motion.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+    for (const int joint : robot.robot()->moving)
+      motion.joint_names.push_back(robot.robot()->joints[static_cast<std::size_t>(joint)].name);
     double t = 0.0;
-    std::vector<double> last = robot.joints;
+    std::vector<double> last = robot.joints();
     motion.addFrame({t, {}}, last);
     const auto go = [&](const std::vector<double>& to) {
       const double time = straightTime(rates, last, to);
@@ -84,7 +84,7 @@ class CycleTime : public Question {
       last = to;
     };
     for (const auto* stop : route.stops) go(stop->joints);
-    if (settings_.returns) go(robot.joints);
+    if (settings_.returns) go(robot.joints());
     return motion;
   }
 
@@ -143,16 +143,16 @@ class MotionQuestion : public Question {
   /// Empty where the motion cannot be timed (a solid, frames that do not move).
   Answer leastTime(const VariantCell& cell, const std::shared_ptr<const Trajectory>& motion) const {
     const Entity& entity = *cell.document.findByName(entity_);
-    if (!entity.robot) return {};
+    if (!entity.robot()) return {};
     const auto replay = manipulation::MotionReplay::create(cell.document.state().entities, entity_, motion);
     if (!replay) return {};
     const Trajectory joints = replay->withJoints();
-    const JointRates rates = jointRates(*entity.robot, time_to_speed_);
+    const JointRates rates = jointRates(*entity.robot(), time_to_speed_);
     trajectory::RetimingOptions options;
     for (const std::string& name : joints.joint_names) {
-      const int joint = entity.robot->findJoint(name);
-      if (joint < 0 || entity.robot->joints[static_cast<std::size_t>(joint)].variable < 0) return {};
-      const auto variable = static_cast<std::size_t>(entity.robot->joints[static_cast<std::size_t>(joint)].variable);
+      const int joint = entity.robot()->findJoint(name);
+      if (joint < 0 || entity.robot()->joints[static_cast<std::size_t>(joint)].variable < 0) return {};
+      const auto variable = static_cast<std::size_t>(entity.robot()->joints[static_cast<std::size_t>(joint)].variable);
       options.limits.velocity.push_back(rates.speed[variable]);
       options.limits.acceleration.push_back(rates.acceleration[variable]);
     }

@@ -61,7 +61,7 @@ class Quality : public Question {
 /// Share of the half range that the joint nearest to a limit has left: 0 at a limit, 1 with all joints in the middle.
 double jointMargin(const Entity& robot, RobotTargets&, const std::vector<double>& joints) {
   double least = 1.0;
-  const auto distances = kinematics::limitDistances(*robot.robot, joints);
+  const auto distances = kinematics::limitDistances(*robot.robot(), joints);
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const double range = distances[i].to_lower + distances[i].to_upper;
     if (!std::isfinite(range) || range <= 0.0) continue;
@@ -72,10 +72,10 @@ double jointMargin(const Entity& robot, RobotTargets&, const std::vector<double>
 
 double leastSingularValue(const Entity& robot, RobotTargets& solved, const std::vector<double>& joints) {
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*robot.robot, joints, X_BL);
+  kinematics::forwardKinematics(*robot.robot(), joints, X_BL);
   kinematics::Jacobian jacobian;
-  const dvec3 p_BT = X_BL[static_cast<std::size_t>(solved.tip)] * robot.X_LT.p;
-  kinematics::geometricJacobian(*robot.robot, X_BL, solved.tip, p_BT, jacobian);
+  const dvec3 p_BT = X_BL[static_cast<std::size_t>(solved.tip)] * robot.jointed().X_LT.p;
+  kinematics::geometricJacobian(*robot.robot(), X_BL, solved.tip, p_BT, jacobian);
   return kinematics::manipulability(jacobian, kLever).smallest;
 }
 

@@ -49,7 +49,7 @@ Expected<TargetList> readTargetList(SectionReader& reader, const StudySection& s
   list.turns = static_cast<int>(turns);
   const auto robot = inputs.entityNamed(section, list.robot);
   HAPTICELL_TRY(robot);
-  if (!(*robot)->robot)
+  if (!(*robot)->robot())
     return makeError(section.fault(Text("entity '%1' without joints", list.robot), Text("a robot or a mechanism")));
   if (!list.frame.empty() && inputs.cell.findByName(list.frame) == nullptr) {
     const auto missing = inputs.entityNamed(section, list.frame);
@@ -82,7 +82,7 @@ Expected<std::shared_ptr<RobotTargets>> solvedTargets(VariantCell& cell, const T
   HAPTICELL_TRY(inverse);
   auto check = manipulation::JointCheck::create(cell.scene(), robot.id, cell.inputs().configuration);
   HAPTICELL_TRY(check);
-  const int tip = robot.tip_link.empty() ? robot.robot->defaultTip() : robot.robot->findLink(robot.tip_link);
+  const int tip = robot.jointed().tip_link.empty() ? robot.robot()->defaultTip() : robot.robot()->findLink(robot.jointed().tip_link);
   auto solved = std::make_shared<RobotTargets>(RobotTargets{robot.id, tip, std::move(*check), {}});
   const Pose X_BF = robot.X_WE.inverse() * (list.frame.empty() ? Pose() : cell.document.findByName(list.frame)->X_WE);
   for (const Pose& X_FT : list.X_FT) {
@@ -90,7 +90,7 @@ Expected<std::shared_ptr<RobotTargets>> solvedTargets(VariantCell& cell, const T
     for (int turn = 0; turn < list.turns; ++turn) {
       const double angle = 2.0 * std::numbers::pi * turn / list.turns;
       const Pose X_BT = X_BF * X_FT * Pose::rotation(glm::angleAxis(angle, dvec3(0.0, 0.0, 1.0)));
-      join(manipulation::freeSolutions(**inverse, solved->check, X_BT, robot.joints, list.clearance), answer);
+      join(manipulation::freeSolutions(**inverse, solved->check, X_BT, robot.joints(), list.clearance), answer);
     }
     solved->targets.push_back(std::move(answer));
   }

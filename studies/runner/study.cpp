@@ -104,7 +104,7 @@ Expected<void> Study::prepareScene() {
     entity.id = ++id;
     entity.name = "study " + shape.first;
     entity.checked = false;
-    if (entity.joints.empty()) entity.joints = kinematics::restPositions(*entity.robot);
+    if (entity.joints().empty()) entity.setJoints(kinematics::restPositions(*entity.robot()));
     source.entities.push_back(std::move(entity));
   }
   source.revision = 0;

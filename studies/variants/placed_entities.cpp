@@ -29,9 +29,9 @@ Expected<void> place(workcell::Document& document, workcell::EntityId id, const 
 
 Expected<void> replaceBody(workcell::Document& document, workcell::EntityId id, const workcell::Entity& fresh) {
   const workcell::Entity before = *document.find(id);
-  const auto posture = mannequin::toPosture(*before.figure, {before.X_WE, before.joints});
-  const auto standing = ergonomics::standingAt(*before.figure, posture, *fresh.figure);
-  const auto stands = mannequin::toModel(*fresh.figure, standing);
+  const auto posture = mannequin::toPosture(*before.figure(), {before.X_WE, before.joints()});
+  const auto standing = ergonomics::standingAt(*before.figure(), posture, *fresh.figure());
+  const auto stands = mannequin::toModel(*fresh.figure(), standing);
   HAPTICELL_TRY(document.execute(workcell::ReplaceShape{id, fresh}));
   HAPTICELL_TRY(document.execute(workcell::SetConfiguration{id, stands.X_WE, stands.joints}));
   return {};

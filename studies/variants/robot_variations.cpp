@@ -22,7 +22,7 @@ Expected<const Entity*> readJointed(SectionReader& reader, const StudySection& s
   HAPTICELL_TRY(reader.check());
   const auto entity = inputs.entityNamed(section, name);
   HAPTICELL_TRY(entity);
-  if (!(*entity)->robot)
+  if (!(*entity)->robot())
     return makeError(section.fault(Text("entity '%1' without joints", name), Text("a robot or a mechanism")));
   return *entity;
 }
@@ -36,13 +36,13 @@ class JointPosition : public Variation {
   std::string unit() const override { return turns_ ? "deg" : "m"; }
   Expected<void> apply(const Value& value, VariantCell& cell) const override {
     const Entity& entity = *cell.document.find(entity_);
-    const int joint = entity.robot->findJoint(joint_);
-    if (joint < 0 || entity.robot->joints[static_cast<std::size_t>(joint)].variable < 0)
+    const int joint = entity.robot()->findJoint(joint_);
+    if (joint < 0 || entity.robot()->joints[static_cast<std::size_t>(joint)].variable < 0)
       return makeError({.place = Text("entity '%1'", entity.name),
                         .found = Text("no moving joint is named '%1'", joint_),
                         .expected = "a joint of this robot"});
-    std::vector<double> joints = entity.joints;
-    const auto variable = static_cast<std::size_t>(entity.robot->joints[static_cast<std::size_t>(joint)].variable);
+    std::vector<double> joints = entity.joints();
+    const auto variable = static_cast<std::size_t>(entity.robot()->joints[static_cast<std::size_t>(joint)].variable);
     joints[variable] = std::get<double>(value) * (turns_ ? std::numbers::pi / 180.0 : 1.0);
     HAPTICELL_TRY(cell.document.execute(workcell::SetJoints{entity_, std::move(joints)}));
     return {};
@@ -80,8 +80,8 @@ class ToolOffset : public Variation {
     const Entity& robot = *cell.document.find(robot_);
     dvec3 way_T(0.0);
     way_T[axis_] = std::get<double>(value);
-    const Pose X_LT = robot.X_LT * Pose::translation(way_T);
-    HAPTICELL_TRY(cell.document.execute(workcell::SetTool{robot_, robot.tip_link, X_LT}));
+    const Pose X_LT = robot.jointed().X_LT * Pose::translation(way_T);
+    HAPTICELL_TRY(cell.document.execute(workcell::SetTool{robot_, robot.jointed().tip_link, X_LT}));
     return {};
   }
 
@@ -118,7 +118,7 @@ MadeVariation makeJointPosition(const StudySection& section, StudyInputs& inputs
   auto range = ValueRange::numbers(reader);
   HAPTICELL_TRY(range);
   HAPTICELL_TRY(reader.end());
-  const kinematics::RobotModel& model = *(*entity)->robot;
+  const kinematics::RobotModel& model = *(*entity)->robot();
   const int found = model.findJoint(joint);
   if (found < 0 || model.joints[static_cast<std::size_t>(found)].variable < 0) {
     const std::string known =
@@ -138,7 +138,7 @@ MadeVariation makeToolChoice(const StudySection& section, StudyInputs& inputs) {
   HAPTICELL_TRY(reader.end());
   for (std::size_t i = 0; i < range->count(); ++i) {
     const std::string& tool = std::get<std::string>(range->at(i));
-    const auto& tools = (*robot)->tools;
+    const auto& tools = (*robot)->jointed().tools;
     if (std::any_of(tools.begin(), tools.end(), [&](const auto& one) { return one.name == tool; })) continue;
     const std::string known = listed(tools, [](const auto& one) { return one.name; });
     return makeError(section.fault(Text("no tool of '%1' is named '%2'", (*robot)->name, tool),

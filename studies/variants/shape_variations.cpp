@@ -29,7 +29,7 @@ Expected<const Entity*> readEntityOfKind(SectionReader& reader, const StudySecti
   HAPTICELL_TRY(reader.check());
   const auto entity = inputs.entityNamed(section, name);
   HAPTICELL_TRY(entity);
-  if ((*entity)->kind != kind)
+  if ((*entity)->kind() != kind)
     return makeError(section.fault(Text("entity '%1' of another kind", name), std::move(expected)));
   return *entity;
 }
@@ -39,17 +39,17 @@ Expected<const Entity*> readEntityOfKind(SectionReader& reader, const StudySecti
 Expected<void> hangAgain(workcell::Document& document, EntityId robot) {
   const Entity now = *document.find(robot);
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*now.robot, now.joints, X_BL);
+  kinematics::forwardKinematics(*now.robot(), now.joints(), X_BL);
   for (const auto& entity : workcell::DocumentState(document.state()).entities) {
     if (entity->attachment.to != now.name) continue;
-    int link = now.robot->findLink(entity->attachment.link);
-    if (link < 0) link = now.robot->findLink(now.tip_link);
+    int link = now.robot()->findLink(entity->attachment.link);
+    if (link < 0) link = now.robot()->findLink(now.jointed().tip_link);
     if (link < 0) link = 0;
     const Pose X_WE = now.X_WE * X_BL[static_cast<std::size_t>(link)] * entity->attachment.X_LE;
     HAPTICELL_TRY(document.execute(workcell::Detach{entity->id}));
     HAPTICELL_TRY(place(document, entity->id, X_WE));
     HAPTICELL_TRY(document.execute(
-        workcell::Attach{entity->id, robot, now.robot->links[static_cast<std::size_t>(link)].name}));
+        workcell::Attach{entity->id, robot, now.robot()->links[static_cast<std::size_t>(link)].name}));
   }
   return {};
 }
@@ -83,8 +83,8 @@ class RobotChoice : public Variation {
     if (before.source.path == fresh.source.path) return {};
     HAPTICELL_TRY(cell.document.execute(workcell::ReplaceShape{robot_, fresh}));
     const Entity* changed = cell.document.find(robot_);
-    HAPTICELL_TRY(renameBaseRules(cell.document, before.name, before.robot->links[0].name,
-                                  changed->robot->links[0].name));
+    HAPTICELL_TRY(renameBaseRules(cell.document, before.name, before.robot()->links[0].name,
+                                  changed->robot()->links[0].name));
     return hangAgain(cell.document, robot_);
   }
 
@@ -167,7 +167,7 @@ MadeVariation makeRobotChoice(const StudySection& section, StudyInputs& inputs) 
   for (std::size_t i = 0; i < range.count(); ++i) {
     const auto shape = inputs.shapeOf(std::get<std::string>(range.at(i)));
     HAPTICELL_TRY(shape);
-    if ((*shape)->kind != EntityKind::kRobot)
+    if ((*shape)->kind() != EntityKind::kRobot)
       return makeError(section.fault(Text("'%1', which is no robot", textOf(range.at(i))), Text("robots")));
   }
   return std::make_unique<RobotChoice>(section.name, std::move(range), (*robot)->id);

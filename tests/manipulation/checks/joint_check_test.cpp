@@ -20,7 +20,7 @@ workcell::Entity loaded(const std::string& what, workcell::EntityId id, const st
   entity.id = id;
   entity.name = name;
   entity.X_WE = X_WE;
-  if (entity.robot && entity.joints.empty()) entity.joints = kinematics::restPositions(*entity.robot);
+  if (entity.robot() && entity.joints().empty()) entity.setJoints(kinematics::restPositions(*entity.robot()));
   return entity;
 }
 
