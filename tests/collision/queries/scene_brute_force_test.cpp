@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes without number against brute force. HAPTICELL_SCENE_QUERIES: how many queries (100000 for the full run).
+// Scenes without number against brute force. HAPTICELL_SCENE_QUERIES: how many queries (100000 for the full run);
+// HAPTICELL_SCENE_FIRST: the number of the first scene, to look at one again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,9 +13,9 @@
 namespace hapticell::collision {
 namespace {
 
-int queries() {
-  const char* asked = std::getenv("HAPTICELL_SCENE_QUERIES");
-  return asked ? std::stoi(asked) : 3000;
+int asked(const char* variable, int otherwise) {
+  const char* value = std::getenv(variable);
+  return value ? std::stoi(value) : otherwise;
 }
 
 /// A scene that is edited and moved about, and each pair of it for itself.
@@ -165,7 +166,9 @@ class BruteForce {
 
 TEST(SceneBruteForce, SaysWhatEachPairSaysForItself) {
   constexpr int kEach = 60;
-  for (int scene = 0; scene < std::max(1, queries() / kEach); ++scene) {
+  const int first = asked("HAPTICELL_SCENE_FIRST", 0);
+  const int scenes = std::max(1, asked("HAPTICELL_SCENE_QUERIES", 3000) / kEach);
+  for (int scene = first; scene < first + scenes; ++scene) {
     BruteForce cell(static_cast<unsigned>(scene));
     for (int i = 0; i < kEach && !testing::Test::HasFailure(); ++i) {
       cell.step();
