@@ -34,7 +34,7 @@ class ScenePairs {
     double apart_until = -std::numeric_limits<double>::infinity();
     /// They are near: until this sum of ways nothing is gained by looking ahead.
     double near_until = -std::numeric_limits<double>::infinity();
-    std::unique_ptr<ProximityQuery> query{};  ///< Made when it is first needed.
+    std::unique_ptr<ProximityQuery> query{};         ///< Made when it is first needed.
     std::uint32_t at_moved = 0, at_environment = 0;  ///< Places in the lists of its parts.
   };
 
