@@ -62,8 +62,9 @@ void openCells() {
     const double touching = threadMilliseconds();
     const auto near = manipulation::pairsAtRest(*scene, 1, 0.1);
     const double end = threadMilliseconds();
-    std::printf("cell of %d entities: prepared in %.0f ms, %zu touching pairs in %.0f ms, %zu pairs of one in %.0f ms\n",
-                parts, prepared - begin, rules.size(), touching - prepared, near.size(), end - touching);
+    std::printf(
+        "cell of %d entities: prepared in %.0f ms, %zu touching pairs in %.0f ms, %zu pairs of one in %.0f ms\n", parts,
+        prepared - begin, rules.size(), touching - prepared, near.size(), end - touching);
     std::fflush(stdout);
   }
 }
@@ -94,9 +95,10 @@ void holdInCells() {
     double sum = 0.0;
     for (const double time : times) sum += time;
     std::sort(times.begin(), times.end());
-    std::printf("held among %d entities: taken in %.1f ms, a step %.3f / %.3f / %.3f ms (median, p99, max), %.0f a second\n",
-                parts, taking, times[times.size() / 2], times[times.size() * 99 / 100], times.back(),
-                1e3 * static_cast<double>(times.size()) / sum);
+    std::printf(
+        "held among %d entities: taken in %.1f ms, a step %.3f / %.3f / %.3f ms (median, p99, max), %.0f a second\n",
+        parts, taking, times[times.size() / 2], times[times.size() * 99 / 100], times.back(),
+        1e3 * static_cast<double>(times.size()) / sum);
     std::fflush(stdout);
   }
 }

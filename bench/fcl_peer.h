@@ -23,8 +23,8 @@ class FclPeer {
   std::unique_ptr<Models> models_;
 };
 
-/// Its least distance of a group to another, and whether they collide: two trees of boxes about the objects (dynamic AABB
-/// trees). `standing` is a mesh for each pose, or one for all.
+/// Its least distance of a group to another, and whether they collide: two trees of boxes about the objects (dynamic
+/// AABB trees). `standing` is a mesh for each pose, or one for all.
 class FclGroup {
  public:
   FclGroup(const std::vector<geometry::TriangleMesh>& moved, const std::vector<geometry::TriangleMesh>& standing,

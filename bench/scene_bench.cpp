@@ -58,7 +58,8 @@ void row(const std::string& scene, const std::string& query, const std::vector<d
   if (peer.empty()) {
     std::printf(" | |");
   } else {
-    std::printf(" %.2f / %.1f / %.0f | %.1f |", at(peer, 0.5), at(peer, 0.99), peer.back(), at(peer, 0.5) / at(ours, 0.5));
+    std::printf(" %.2f / %.1f / %.0f | %.1f |", at(peer, 0.5), at(peer, 0.99), peer.back(),
+                at(peer, 0.5) / at(ours, 0.5));
   }
   std::printf(" %s |\n", note.c_str());
   std::fflush(stdout);
@@ -102,9 +103,9 @@ class Group {
     std::vector<double> peer;
 #ifdef HAPTICELL_HAS_FCL
     peer = timed(path.size(), [&](std::size_t i) { theirs[i] = peer_.collides(path[i]); });
-    const int others = static_cast<int>(path.size()) -
-                       static_cast<int>(std::inner_product(ours.begin(), ours.end(), theirs.begin(), 0, std::plus<>(),
-                                                           std::equal_to<>()));
+    const int others =
+        static_cast<int>(path.size()) - static_cast<int>(std::inner_product(ours.begin(), ours.end(), theirs.begin(), 0,
+                                                                            std::plus<>(), std::equal_to<>()));
     const std::string differ = ", " + std::to_string(others) + " answers differ";
 #else
     const std::string differ;

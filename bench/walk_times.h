@@ -20,7 +20,8 @@ struct Times {
 /// Walks the path several times from a fresh state; each step's time is the least of its walks (takes the system's
 /// noise out and keeps the engine's own spikes); processor time, the clock's own cost taken off. `begin_walk` forgets
 /// what was warm.
-inline Times timed(std::size_t steps, const std::function<void()>& begin_walk, const std::function<void(std::size_t)>& query) {
+inline Times timed(std::size_t steps, const std::function<void()>& begin_walk,
+                   const std::function<void(std::size_t)>& query) {
   std::vector<double> least(steps, std::numeric_limits<double>::infinity());
   const double clock_cost = threadClockCost();
   for (int walk = 0; walk < kWalks; ++walk) {

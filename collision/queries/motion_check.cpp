@@ -68,7 +68,7 @@ class Advancement {
     const double reach_of_list = query_.near().reachAt(a_.at(0.0).inverse() * b_.at(0.0));
     const bool listed = reach_of_list >= clearance_ + rate_ * until_;
     DistanceResult here = listed ? query_.distanceOfListed(a_.at(0.0), b_.at(0.0)) : at(0.0);
-    result.began_colliding = here.colliding;
+    result.began_colliding = began_colliding_ = here.colliding;
     while (here.colliding) {
       if (good.s >= until_ || queries_ >= kMostQueries) return result;
       good.s = std::min(until_, good.s + kStepWhileColliding / std::max(rate_, kStepWhileColliding));
@@ -82,7 +82,7 @@ class Advancement {
       proven_ = 0.0;
       if (double stretch = 0.0; followList(good, plain, stretch)) {
         const ListedStop stop = sweep(good.s, good.s + stretch);
-        if (stop.stopped) return stoppedBy(stop, result.began_colliding);
+        if (stop.stopped) return stoppedBy(stop);
         good = {stop.s, stop.distance_at_least};
         continue;
       }
@@ -174,16 +174,17 @@ class Advancement {
     MotionStop result;
     result.s = s;
     result.stopped = true;
+    result.began_colliding = began_colliding_;
     result.distance_at_least = nearest.distance;
     result.nearest = nearest;
     return result;
   }
 
-  static MotionStop stoppedBy(const ListedStop& listed, bool began_colliding) {
+  MotionStop stoppedBy(const ListedStop& listed) const {
     MotionStop result;
     result.s = listed.s;
     result.stopped = true;
-    result.began_colliding = began_colliding;
+    result.began_colliding = began_colliding_;
     result.distance_at_least = listed.distance_at_least;
     DistanceResult& nearest = result.nearest;
     nearest.p_WA = listed.nearest.p;
@@ -200,7 +201,7 @@ class Advancement {
   MotionStop stopBetween(Sample good, double bad, DistanceResult nearest) {
     if (listedStretch(good.s, bad - good.s, bad - good.s) >= bad - good.s) {
       const ListedStop stop = sweep(good.s, bad);
-      if (stop.stopped) return stoppedBy(stop, false);
+      if (stop.stopped) return stoppedBy(stop);
     }
     for (int i = 0; i < 40 && (bad - good.s) * rate_ > kStopAccuracy; ++i) {
       const double above = good.distance - clearance_, below = clearance_ - nearest.distance;
@@ -223,6 +224,7 @@ class Advancement {
   double until_;
   double clearance_;  ///< What is kept: what was asked or, if less, what it began with.
   double rate_;
+  bool began_colliding_ = false;
   double proven_ = 0.0;
   double stride_;  ///< Of s: the longer step that is tried next.
   int queries_ = 0;

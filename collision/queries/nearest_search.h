@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "collision/queries/step_pairs.h"
+#include "collision/queries/triangle_pairs.h"
 #include "collision/trees/dual_traversal.h"
 #include "collision/trees/mesh_collider.h"
 #include "collision/trees/triangle_distance.h"
-#include "collision/queries/step_pairs.h"
-#include "collision/queries/triangle_pairs.h"
 
 namespace hapticell::collision {
 

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "collision/queries/distance_result.h"
-#include "collision/trees/mesh_collider.h"
 #include "collision/queries/near_pairs.h"
 #include "collision/queries/step_pairs.h"
 #include "collision/queries/triangle_pairs.h"
+#include "collision/trees/mesh_collider.h"
 #include "geometry/shapes/pose.h"
 
 namespace hapticell::collision {
@@ -24,9 +24,9 @@ struct DistanceDemand {
 /// Repeated proximity queries of one pair of colliders A and B; each starts from the last answer.
 ///
 /// One object belongs to one thread at a time; different objects, also of the same colliders, may run at the same time.
-/// Warm queries do not allocate. Poses are valid (Pose::isValid). After Larsen et al., "Fast proximity queries with swept
-/// sphere volumes" (1999): the last nearest pair of triangles gives the first upper bound; after
-/// small steps the pairs that the last search passed close by are measured, and nothing is searched (StepPairs).
+/// Warm queries do not allocate. Poses are valid (Pose::isValid). After Larsen et al., "Fast proximity queries with
+/// swept sphere volumes" (1999): the last nearest pair of triangles gives the first upper bound; after small steps the
+/// pairs that the last search passed close by are measured, and nothing is searched (StepPairs).
 class ProximityQuery {
  public:
   ProximityQuery(std::shared_ptr<const MeshCollider> a, std::shared_ptr<const MeshCollider> b);

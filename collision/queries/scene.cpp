@@ -137,8 +137,7 @@ ProximityQuery& Scene::queryOf(ScenePairs::Pair& pair) {
 
 DistanceResult Scene::query(PairIndex index, const DistanceDemand& demand) {
   ScenePairs::Pair& pair = pairs_[index];
-  const DistanceResult result =
-      queryOf(pair).distance(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP, demand);
+  const DistanceResult result = queryOf(pair).distance(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP, demand);
   const bool exact = result.beyond_limit || result.distance <= demand.exact_within;
   certify(pair, exact ? result.distance : result.distance / (1.0 + demand.tolerance));
   return result;

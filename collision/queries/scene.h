@@ -102,8 +102,8 @@ class Scene {
 
  private:
   struct Part {
-    PlacedBounds at;          ///< See boundsOf().
-    bool has_moved = false;   ///< `at` is of an earlier pose.
+    PlacedBounds at;         ///< See boundsOf().
+    bool has_moved = false;  ///< `at` is of an earlier pose.
     double travelled = 0.0;  ///< m: no point of it has gone a longer way since it was added.
     double asked_at = 0.0;   ///< Its way when collides() last looked around it,
     double look = 0.0;       ///< and how far (m) it looked.
@@ -111,7 +111,7 @@ class Scene {
     double quiet_until = -std::numeric_limits<double>::infinity();
     double clear = 0.0;          ///< In the round it was looked around: nothing was nearer than this.
     std::uint32_t asked_in = 0;  ///< That round.
-    double way_of_round = 0.0;  ///< Its way between two queries.
+    double way_of_round = 0.0;   ///< Its way between two queries.
     std::uint32_t round = 0;
     bool empty = true;  ///< No triangle, or removed.
     Pose X_WP;
@@ -187,12 +187,12 @@ class Scene {
   std::vector<Part> parts_;
   std::vector<PartIndex> unused_;
   ScenePairs pairs_;
-  PartTree tree_;                    ///< Of the parts that are sought.
-  double sought_way_ = 0.0;          ///< m: none of them has gone a longer way, by the way of each round.
+  PartTree tree_;            ///< Of the parts that are sought.
+  double sought_way_ = 0.0;  ///< m: none of them has gone a longer way, by the way of each round.
   double sought_way_of_round_ = 0.0, sought_step_ = 0.0;  ///< Of the present round, and of the last.
-  std::uint32_t round_ = 0;          ///< Queries until now.
-  std::uint32_t pass_ = 0;           ///< Searches until now, for Pair::seen.
-  PartIndex nearest_of_[2] = {0, 0}, met_[2] = {0, 0};  ///< The pairs of the last answers, by their parts.
+  std::uint32_t round_ = 0;                               ///< Queries until now.
+  std::uint32_t pass_ = 0;                                ///< Searches until now, for Pair::seen.
+  PartIndex nearest_of_[2] = {0, 0}, met_[2] = {0, 0};    ///< The pairs of the last answers, by their parts.
 
   std::vector<Candidate> candidates_;
   struct Suspect {

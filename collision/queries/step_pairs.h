@@ -11,14 +11,14 @@
 namespace hapticell::collision {
 
 /// The pairs of triangles of two meshes A and B that a search for the nearest passed close by: after a small step only
-/// these can be nearest, and no tree is searched. Decides how widely a search collects, from the steps and from how many
-/// pairs earlier lists held.
+/// these can be nearest, and no tree is searched. Decides how widely a search collects, from the steps and from how
+/// many pairs earlier lists held.
 ///
 /// One thread. Allocates for its first list only.
 class StepPairs {
  public:
-  /// Pairs of a list: measuring half of them takes about a microsecond, a search ten. Half: more searches; twice: slower
-  /// steps where triangles are small.
+  /// Pairs of a list: measuring half of them takes about a microsecond, a search ten. Half: more searches; twice:
+  /// slower steps where triangles are small.
   static constexpr std::size_t kMost = 128;
 
   struct Pair {
@@ -49,9 +49,9 @@ class StepPairs {
  private:
   MotionLever lever_;
   std::vector<Pair> pairs_;
-  Pose X_AB_;            ///< Of the list,
-  Pose X_ABNow_;         ///< and of the last query;
-  double step_ = 0.0;    ///< from the one before, m.
+  Pose X_AB_;          ///< Of the list,
+  Pose X_ABNow_;       ///< and of the last query;
+  double step_ = 0.0;  ///< from the one before, m.
   bool has_come_ = false;
   double radius_ = -1.0;
   double most_ = 0.01;  ///< m: wider lists held too many pairs.

@@ -229,8 +229,7 @@ void PartTree::split(std::uint32_t node, const Entry& extra) {
   nodes_[node].count = 0;
   for (int i = 0; i < kAll; ++i) {
     const std::uint32_t to = i < best_first ? node : other;
-    setLane(to, nodes_[to].count++,
-            entries[static_cast<std::size_t>(order[best_axis][static_cast<std::size_t>(i)])]);
+    setLane(to, nodes_[to].count++, entries[static_cast<std::size_t>(order[best_axis][static_cast<std::size_t>(i)])]);
   }
   const Entry split_off = around(nodes_[other], other);
   if (nodes_[node].parent == kNone) {

@@ -59,6 +59,8 @@ class ManipulationEngine {
   const HeldEntity* held() const { return holder_.held(); }
   /// An entity's present placement, moved or not. Contract: it exists.
   EntityConfiguration placement(workcell::EntityId entity) const { return holder_.placement(entity); }
+  /// Placements that may differ from the document; all other entities stand as it says.
+  const Placements& placements() const { return cell_.placements(); }
   const std::optional<haptic::HapticState>& hapticState() const { return holder_.input().state(); }
 
   const haptic::ServerStatistics& serverStatistics() const { return holder_.input().statistics(); }

@@ -39,8 +39,9 @@ struct MotionAnswer {
 ///
 /// Keeps a lower bound of every pair's distance, reduced by motion, so that a pair is measured again only when it could
 /// have come near. What is far is not even looked at: a list of the near pairs is kept, and made anew when the far ones
-/// could have come near, so that a step costs what is near. Pairs that touch or intersect at reset() are `soft`: they do not block until they have come apart
-/// once, because otherwise nothing could move. The caller must ensure that they get no deeper. One thread.
+/// could have come near, so that a step costs what is near. Pairs that touch or intersect at reset() are `soft`: they
+/// do not block until they have come apart once, because otherwise nothing could move. The caller must ensure that they
+/// get no deeper. One thread.
 class FreeMotion {
  public:
   /// m left between surfaces when a motion is blocked: a quarter of kSkin, five times kLeastClearance. Half: more
@@ -130,7 +131,7 @@ class FreeMotion {
   std::vector<double> way_;                      ///< m: no point of the part has moved farther than this in all.
   std::vector<collision::PlacedBounds> part_bounds_, obstacle_bounds_;
   std::vector<std::vector<std::uint32_t>> pairs_of_;  ///< The pairs of each obstacle.
-  EntityConfiguration at_s_;                     ///< Scratch: at the last s asked for.
+  EntityConfiguration at_s_;                          ///< Scratch: at the last s asked for.
   double scratch_s_ = -1.0;
 };
 

@@ -84,7 +84,8 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(
     scene->addParts(entity, jobs);
     // Of two with one id the first counts.
     Known& known = scene->by_id_.at(entity.id);
-    if (&scene->entities_[known.entity] == &entity) known.first_part = first, known.parts = scene->parts_.size() - first;
+    if (&scene->entities_[known.entity] == &entity)
+      known.first_part = first, known.parts = scene->parts_.size() - first;
   }
   scene->run(jobs, previous, progress);
   if (!progress.build.cancelled) return scene;
@@ -219,8 +220,7 @@ const workcell::PairRule* PreparedScene::ruleFor(const ScenePart& a, const Scene
   const std::string &first = find(a.entity)->name, &second = find(b.entity)->name;
   const auto of_first = rules_of_.find(first), of_second = rules_of_.find(second);
   if (of_first == rules_of_.end() || of_second == rules_of_.end()) return nullptr;
-  const auto& fewer =
-      of_first->second.size() < of_second->second.size() ? of_first->second : of_second->second;
+  const auto& fewer = of_first->second.size() < of_second->second.size() ? of_first->second : of_second->second;
   return workcell::ruleFor(fewer, {first, a.name}, {second, b.name});
 }
 

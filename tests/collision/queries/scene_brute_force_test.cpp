@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes without number against brute force. HAPTICELL_SCENE_QUERIES: how many queries (100000 for the full run).
+// Scenes without number against brute force. HAPTICELL_SCENE_QUERIES: how many queries (100000 for the full run);
+// HAPTICELL_SCENE_FIRST: the number of the first scene, to look at one again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,9 +13,9 @@
 namespace hapticell::collision {
 namespace {
 
-int queries() {
-  const char* asked = std::getenv("HAPTICELL_SCENE_QUERIES");
-  return asked ? std::stoi(asked) : 3000;
+int asked(const char* variable, int otherwise) {
+  const char* value = std::getenv(variable);
+  return value ? std::stoi(value) : otherwise;
 }
 
 /// A scene that is edited and moved about, and each pair of it for itself.
@@ -22,8 +23,8 @@ class BruteForce {
  public:
   explicit BruteForce(unsigned seed) : random_(seed) {
     shapes_ = {MeshCollider::build(test::boxMesh({0.2, 0.1, 0.1})), MeshCollider::build(test::sphereMesh(0.1, 6, 9)),
-               MeshCollider::build(test::boxMesh({0.6, 0.03, 0.03})), MeshCollider::build(test::sheetMesh(0.3, 4, 0.05)),
-               MeshCollider::build(test::boxMesh({0.5, 0.5, 0.5}))};
+               MeshCollider::build(test::boxMesh({0.6, 0.03, 0.03})),
+               MeshCollider::build(test::sheetMesh(0.3, 4, 0.05)), MeshCollider::build(test::boxMesh({0.5, 0.5, 0.5}))};
     crowd_ = 0.5 + 0.3 * (seed % 5);
     const std::size_t moved = 1 + seed % 4, standing = 3 + seed % 25;
     for (std::size_t i = 0; i < moved; ++i) moved_.push_back(newPart());
@@ -41,7 +42,8 @@ class BruteForce {
     }
   }
 
-  /// Along a motion in small steps, to anywhere, or not at all; now and then something of the cell moves or is replaced.
+  /// Along a motion in small steps, to anywhere, or not at all; now and then something of the cell moves or is
+  /// replaced.
   void step() {
     const auto kind = random_() % 8;
     for (const PartIndex part : moved_) {
@@ -72,10 +74,10 @@ class BruteForce {
         const PartIndex a = parts[i], b = parts[k];
         const auto pair = scene_.pairOf(a, b);
         if (!pair || !scene_.isEnabled(*pair)) continue;
-        exact.push_back({a, b,
-                         collision::distance(scene_.sharedCollider(a), scene_.pose(a), scene_.sharedCollider(b),
-                                             scene_.pose(b))
-                             .distance});
+        exact.push_back(
+            {a, b,
+             collision::distance(scene_.sharedCollider(a), scene_.pose(a), scene_.sharedCollider(b), scene_.pose(b))
+                 .distance});
       }
     }
     std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) { return a.distance < b.distance; });
@@ -165,7 +167,9 @@ class BruteForce {
 
 TEST(SceneBruteForce, SaysWhatEachPairSaysForItself) {
   constexpr int kEach = 60;
-  for (int scene = 0; scene < std::max(1, queries() / kEach); ++scene) {
+  const int first = asked("HAPTICELL_SCENE_FIRST", 0);
+  const int scenes = std::max(1, asked("HAPTICELL_SCENE_QUERIES", 3000) / kEach);
+  for (int scene = first; scene < first + scenes; ++scene) {
     BruteForce cell(static_cast<unsigned>(scene));
     for (int i = 0; i < kEach && !testing::Test::HasFailure(); ++i) {
       cell.step();

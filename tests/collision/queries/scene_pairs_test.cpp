@@ -3,12 +3,33 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
 
+#include "collision/queries/pair_table.h"
+#include "collision/queries/placed_bounds.h"
+#include "tests/collision/queries/meshes.h"
+
 namespace hapticell::collision {
 namespace {
+
+TEST(PlacedBounds, HoldTheMeshAndAreNoFartherApartThanTheMeshesAre) {
+  std::mt19937 random(6);
+  const auto a = MeshCollider::build(test::boxMesh({0.4, 0.1, 0.05})), b = MeshCollider::build(test::sphereMesh(0.1));
+  for (int i = 0; i < 200; ++i) {
+    const Pose X_WA = test::randomPose(random, 0.5), X_WB = test::randomPose(random, 0.5);
+    const PlacedBounds at_a = placedBounds(*a, X_WA), at_b = placedBounds(*b, X_WB);
+    const double exact = distance(a, X_WA, b, X_WB).distance;
+    EXPECT_LE(std::max(sphereGap(at_a, at_b), boxGap(at_a, at_b)), exact + 1e-9);
+    const geometry::Bounds box = at_a.box_W();
+    for (const dvec3& p : a->mesh().vertices) {
+      EXPECT_TRUE(glm::all(glm::greaterThan(X_WA * p, box.min - 1e-6)) &&
+                  glm::all(glm::lessThan(X_WA * p, box.max + 1e-6)));
+    }
+  }
+}
 
 TEST(PairTable, SaysWhatAMapSays) {
   std::mt19937 random(2);

@@ -11,7 +11,8 @@ namespace {
 
 TEST(StepPairs, AfterSmallStepsTheAnswersAreThoseOfANewSearch) {
   std::mt19937 random(8);
-  const auto a = MeshCollider::build(test::sheetMesh(0.4, 30, 0.03)), b = MeshCollider::build(test::sphereMesh(0.08, 16, 30));
+  const auto a = MeshCollider::build(test::sheetMesh(0.4, 30, 0.03)),
+             b = MeshCollider::build(test::sphereMesh(0.08, 16, 30));
   ProximityQuery warm(a, b);
   for (int way = 0; way < 20; ++way) {
     Pose X_WB{{0.1, -0.1, 0.13}, test::randomPose(random, 1.0).q};
@@ -31,7 +32,8 @@ TEST(StepPairs, AfterSmallStepsTheAnswersAreThoseOfANewSearch) {
 
 TEST(StepPairs, TheLeverIsTheSmallerBodysAndBoundsEveryPoint) {
   std::mt19937 random(9);
-  const auto small = MeshCollider::build(test::boxMesh({0.1, 0.02, 0.02})), large = MeshCollider::build(test::boxMesh({2.0, 1.0, 1.0}));
+  const auto small = MeshCollider::build(test::boxMesh({0.1, 0.02, 0.02})),
+             large = MeshCollider::build(test::boxMesh({2.0, 1.0, 1.0}));
   for (const bool swapped : {false, true}) {
     const MeshCollider &a = swapped ? *large : *small, &b = swapped ? *small : *large;
     const MotionLever lever = leverOf(a, b);

@@ -147,7 +147,8 @@ TEST(PairFinder, SaysOfTwoWhatTheWholeListSays) {
     for (const Entity& moved : entities) {
       const auto pairs = effectivePairs(entities, sets, moved.id, {0.002, 0.03});
       for (const Entity& other : entities) {
-        const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.other == other.id; });
+        const auto at =
+            std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.other == other.id; });
         const auto found = finder.pairOf(moved, other);
         ASSERT_EQ(found.has_value(), at != pairs.end()) << moved.name << " " << other.name;
         if (!found) continue;
