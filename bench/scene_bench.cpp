@@ -228,7 +228,10 @@ void measureEdges(const std::string& name, Group& group, std::mt19937& random) {
     from.push_back(begin);
     std::vector<double> way(7);
     double length = 0.0;
-    for (double& w : way) length += (w = unit(random)) * w;
+    for (double& w : way) {
+      w = unit(random);
+      length += w * w;
+    }
     to.push_back(from.back());
     for (std::size_t i = 0; i < way.size(); ++i) to.back()[i] += 0.2 * way[i] / std::sqrt(length);
   }

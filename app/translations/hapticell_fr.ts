@@ -14939,6 +14939,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
+        <source>not checked, because they touch at rest: %1</source>
+        <translation>non vérifiés, parce qu'ils se touchent au repos : %1</translation>
+    </message>
+    <message>
         <source>not enough memory</source>
         <translation>pas assez de mémoire</translation>
     </message>

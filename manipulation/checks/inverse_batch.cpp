@@ -56,7 +56,7 @@ FreeAnswer freeSolutions(const kinematics::InverseModel& inverse, JointCheck& ch
 Expected<InverseBatch> freeInverse(std::shared_ptr<const PreparedScene> scene, workcell::EntityId robot,
                                    std::span<const Pose> poses, const InverseBatchOptions& options,
                                    const config::Configuration& configuration) {
-  const auto check = JointCheck::create(std::move(scene), robot, configuration);
+  const auto check = JointCheck::create(std::move(scene), robot, configuration, options.at_rest);
   HAPTICELL_TRY(check);
   const workcell::Entity& entity = check->entity();
   const auto inverse = inverseToTool(entity);

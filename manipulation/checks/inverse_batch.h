@@ -35,6 +35,7 @@ FreeAnswer freeSolutions(const kinematics::InverseModel& inverse, JointCheck& ch
 struct InverseBatchOptions {
   double clearance = 0.0;          ///< m that solutions keep from the cell.
   std::vector<double> start = {};  ///< Orders the solutions of each pose; empty: the robot's joints in the scene.
+  RestContacts at_rest = RestContacts::kLeaveOut;
   bool until_missing = false;      ///< Poses after the first one without a free solution are left out.
   int threads = 0;                 ///< At most so many; 0: one a core.
 };

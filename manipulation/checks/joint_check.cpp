@@ -18,8 +18,13 @@ struct CheckedPair {
   std::uint32_t other = 0;  ///< Of the obstacle, or of the other moved part.
   bool own = false;         ///< Both are moved parts.
   bool fixed = false;       ///< No joint moves the two against each other.
+  bool left_out = false;    ///< They touch at rest.
   std::string moved, met;
 };
+
+/// m: nearer than this at rest counts as touching, as in collisionAt(). Half: rounding decides; twice: a pair 2 um apart
+/// is not checked.
+constexpr double kRestTouching = 1e-6;
 
 bool isMoved(const kinematics::RobotModel& model, int link) {
   return model.closure != nullptr || !kinematics::variablesOfChain(model, link).empty();
@@ -81,7 +86,7 @@ std::vector<CheckedPair> pairsOf(const HeldModel& model, const HeldPairs& held) 
 }  // namespace
 
 Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
-                                        const config::Configuration& configuration) {
+                                        const config::Configuration& configuration, RestContacts at_rest) {
   const workcell::Entity* entity = scene->find(id);
   if (entity == nullptr)
     return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
@@ -105,9 +110,10 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
   }
   JointCheck check(plan);
   check.place(plan->model.form().joints(), check.scene_);
+  if (at_rest == RestContacts::kLeaveOut) check.leaveOutTouching(*plan);
   // Whether the base is in contact does not depend on the joints: it is asked once.
   for (std::size_t i = 0; i < plan->pairs.size(); ++i) {
-    if (!plan->pairs[i].fixed) continue;
+    if (!plan->pairs[i].fixed || plan->pairs[i].left_out) continue;
     const auto pair = static_cast<collision::PairIndex>(i);
     if (plan->base_contact.empty() && check.scene_.distance(pair, collision::kTouchingDistance).colliding)
       plan->base_contact = contactText(plan->pairs[i]);
@@ -127,9 +133,25 @@ JointCheck::JointCheck(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)
       const CheckedPair& pair = plan_->pairs[i];
       const collision::PairIndex index =
           scene->addPair(pair.part, pair.own ? pair.other : first + pair.other, static_cast<std::uint32_t>(i));
-      if (pair.fixed || (pair.own && scene == &obstacles_)) scene->setEnabled(index, false);
+      if (pair.fixed || pair.left_out || (pair.own && scene == &obstacles_)) scene->setEnabled(index, false);
     }
   }
+}
+
+void JointCheck::leaveOutTouching(Plan& plan) {
+  std::string names;
+  for (std::size_t i = 0; i < plan.pairs.size(); ++i) {
+    const auto pair = static_cast<collision::PairIndex>(i);
+    const auto result = scene_.distance(pair, kRestTouching);
+    if (result.beyond_limit) continue;
+    plan.pairs[i].left_out = true;
+    scene_.setEnabled(pair, false);
+    obstacles_.setEnabled(pair, false);
+    names += (names.empty() ? "" : ", ") + plan.pairs[i].moved + " / " + plan.pairs[i].met;
+  }
+  if (names.empty()) return;
+  const Text touching("not checked, because they touch at rest: %1", names);
+  plan.note = plan.note.empty() ? touching : Text("%1; %2", plan.note, touching);
 }
 
 JointCheck JointCheck::fresh() const {

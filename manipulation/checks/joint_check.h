@@ -14,6 +14,10 @@
 
 namespace hapticell::manipulation {
 
+/// What becomes of pairs that touch while the robot is as in the scene: they count like all others, or they are left
+/// out, as collisionAt() does (a robot on its table).
+enum class RestContacts { kCount, kLeaveOut };
+
 /// Exact contact checks of one robot (or mechanism) at many joint positions, each by itself: no motion between them is
 /// checked. It checks what a hold of the entity checks (HeldEntity): its parts and what it carries against the cell, and
 /// against each other. Pairs whose contact mode is pass are left out.
@@ -25,7 +29,8 @@ class JointCheck {
   /// Everything else stays at its place in the scene; external axes of the robot too. Errors: no such entity, not a
   /// robot or mechanism. A locked one may be checked.
   static Expected<JointCheck> create(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
-                                     const config::Configuration& configuration);
+                                     const config::Configuration& configuration,
+                                     RestContacts at_rest = RestContacts::kCount);
   /// The same checks without any answers known.
   JointCheck fresh() const;
 
@@ -41,12 +46,13 @@ class JointCheck {
   /// A contact of a part that no joint moves (the base), whatever the joints are: isFree() is then false. Empty: none.
   const Text& baseContact() const;
   const workcell::Entity& entity() const;
-  /// The note about links that touch at rest and are therefore not checked; empty: no such links.
+  /// The note about what touches at rest and is therefore not checked; empty: nothing.
   const Text& note() const;
 
  private:
   struct Plan;
   explicit JointCheck(std::shared_ptr<const Plan> plan);
+  void leaveOutTouching(Plan& plan);
   void place(const std::vector<double>& joints, collision::Scene& scene);
   Text wordsOf(collision::PairIndex pair) const;
 

@@ -25,12 +25,12 @@ workcell::Entity loaded(const std::string& what, workcell::EntityId id, const st
 }
 
 /// A robot in a narrow place: a block, a plate under it that its base touches, and a column.
-std::shared_ptr<const PreparedScene> narrowCell(double plate_top = 0.0) {
+std::shared_ptr<const PreparedScene> narrowCell(double plate_top = -0.2) {
   return PreparedScene::prepare(
       {loaded("library:ur5e", 1, "robot", {}),
        loaded("box:0.3,0.6,0.4", 2, "block", Pose::translation({0.45, 0.0, 0.2})),
        loaded("box:0.1,0.1,1.2", 3, "column", Pose::translation({-0.3, 0.3, 0.6})),
-       loaded("box:1.0,1.0,0.1", 4, "plate", Pose::translation({0.0, 0.0, plate_top - 0.051}))},
+       loaded("box:1.0,1.0,0.1", 4, "plate", Pose::translation({0.0, 0.0, plate_top - 0.05}))},
       {}, {});
 }
 
@@ -86,13 +86,22 @@ TEST(JointCheck, ClearanceIsTheLeastDistanceOfAnyLink) {
 }
 
 TEST(JointCheck, ABaseInContactIsToldOnce) {
-  auto check = JointCheck::create(narrowCell(0.01), 1, {});
+  auto check = JointCheck::create(narrowCell(0.02), 1, {});
   ASSERT_TRUE(check);
   EXPECT_NE(english(check->baseContact()).find("would touch plate"), std::string::npos);
   EXPECT_FALSE(check->isFree(check->entity().joints));
   EXPECT_TRUE(JointCheck::create(narrowCell(), 1, {})->baseContact().empty());
   EXPECT_FALSE(JointCheck::create(narrowCell(), 2, {}));
   EXPECT_FALSE(JointCheck::create(narrowCell(), 9, {}));
+}
+
+TEST(JointCheck, WhatTouchesAtRestIsLeftOutWhereAsked) {
+  auto check = JointCheck::create(narrowCell(0.02), 1, {}, RestContacts::kLeaveOut);
+  ASSERT_TRUE(check);
+  EXPECT_TRUE(check->baseContact().empty()) << english(check->baseContact());
+  EXPECT_NE(english(check->note()).find("plate"), std::string::npos) << english(check->note());
+  EXPECT_TRUE(check->isFree(check->entity().joints)) << english(check->contactAt(check->entity().joints));
+  EXPECT_TRUE(check->fresh().isFree(check->entity().joints));
 }
 
 TEST(InverseBatch, IsEveryFreeSolutionOfTheInverseModel) {
