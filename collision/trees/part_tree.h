@@ -54,7 +54,7 @@ class PartTree {
   static constexpr int kWidth = kPartLanes;
   /// Children of a node after a split: at least. Half: longer boxes; twice is impossible.
   static constexpr int kLeastSplit = 6;
-  /// Parts of a leaf below which it is given up and they are put in anew. Half: leaves with a part or two; twice: at
+  /// Parts of a leaf below which it is given up and they are inserted again. Half: leaves with a part or two; twice: at
   /// every other removal.
   static constexpr int kLeastLeaf = 3;
   /// Nodes that wait in a query: 15 a level, and 17 levels of 6 hold more than there are numbers.

@@ -38,7 +38,7 @@ struct MotionAnswer {
 /// 1996; Zhang, Lee, Kim 2006): a step never exceeds the measured distance divided by the speed bound of the part.
 ///
 /// Keeps a lower bound of every pair's distance, reduced by motion, so that a pair is measured again only when it could
-/// have come near. What is far is not even looked at: a list of the near pairs is kept, and made anew when the far ones
+/// have come near. What is far is not even looked at: a list of the near pairs is kept, and rebuilt when the far ones
 /// could have come near, so that a step costs what is near. Pairs that touch or intersect at reset() are `soft`: they
 /// do not block until they have come apart once, because otherwise nothing could move. The caller must ensure that they
 /// get no deeper. One thread.

@@ -72,7 +72,7 @@ class PreparedScene {
                                                       PreparationProgress& progress);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
-  /// Null where there is none; by a table, not by a search.
+  /// Null if it does not exist. Looked up in a table.
   const workcell::Entity* find(workcell::EntityId id) const;
   const workcell::Entity* find(const std::string& name) const;
   const std::vector<ScenePart>& parts() const { return parts_; }

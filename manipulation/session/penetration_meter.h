@@ -39,7 +39,7 @@ class PenetrationMeter {
   const PreparedScene* scene_ = nullptr;
   std::vector<Body> bodies_;
   std::vector<Watched> watched_;     ///< Of each pair of the held entity.
-  std::vector<std::uint32_t> near_;  ///< Pairs that may touch before the list is made anew.
+  std::vector<std::uint32_t> near_;  ///< Pairs that may touch before the list is rebuilt.
   double worst_ = 0.0, worst_blocked_ = 0.0, last_ = 0.0;
   workcell::EntityId measured_id_ = 0;
   EntityConfiguration measured_;
