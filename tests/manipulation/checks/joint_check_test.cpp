@@ -37,7 +37,7 @@ std::shared_ptr<const PreparedScene> narrowCell(double plate_top = -0.2) {
 std::vector<std::vector<double>> randomJoints(const PreparedScene& scene, std::size_t count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> angle(-3.0, 3.0);
-  std::vector<std::vector<double>> all(count, std::vector<double>(scene.find(1)->robot->dof()));
+  std::vector<std::vector<double>> all(count, std::vector<double>(scene.find(1)->robot()->dof()));
   for (auto& joints : all)
     for (double& q : joints) q = angle(random);
   return all;
@@ -89,7 +89,7 @@ TEST(JointCheck, ABaseInContactIsToldOnce) {
   auto check = JointCheck::create(narrowCell(0.02), 1, {});
   ASSERT_TRUE(check);
   EXPECT_NE(english(check->baseContact()).find("would touch plate"), std::string::npos);
-  EXPECT_FALSE(check->isFree(check->entity().joints));
+  EXPECT_FALSE(check->isFree(check->entity().joints()));
   EXPECT_TRUE(JointCheck::create(narrowCell(), 1, {})->baseContact().empty());
   EXPECT_FALSE(JointCheck::create(narrowCell(), 2, {}));
   EXPECT_FALSE(JointCheck::create(narrowCell(), 9, {}));
@@ -100,8 +100,8 @@ TEST(JointCheck, WhatTouchesAtRestIsLeftOutWhereAsked) {
   ASSERT_TRUE(check);
   EXPECT_TRUE(check->baseContact().empty()) << english(check->baseContact());
   EXPECT_NE(english(check->note()).find("plate"), std::string::npos) << english(check->note());
-  EXPECT_TRUE(check->isFree(check->entity().joints)) << english(check->contactAt(check->entity().joints));
-  EXPECT_TRUE(check->fresh().isFree(check->entity().joints));
+  EXPECT_TRUE(check->isFree(check->entity().joints())) << english(check->contactAt(check->entity().joints()));
+  EXPECT_TRUE(check->fresh().isFree(check->entity().joints()));
 }
 
 TEST(InverseBatch, IsEveryFreeSolutionOfTheInverseModel) {
@@ -122,7 +122,7 @@ TEST(InverseBatch, IsEveryFreeSolutionOfTheInverseModel) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     ASSERT_EQ(one->answers[i].free.size(), two->answers[i].free.size());
     std::size_t expected = 0;
-    for (const auto& solution : (*inverse)->solveAll(poses[i], scene->find(1)->joints))
+    for (const auto& solution : (*inverse)->solveAll(poses[i], scene->find(1)->joints()))
       expected += solution.within_limits && check->fresh().contactAt(solution.q).empty() ? 1 : 0;
     EXPECT_EQ(one->answers[i].free.size(), expected);
     for (std::size_t k = 0; k < one->answers[i].free.size(); ++k)

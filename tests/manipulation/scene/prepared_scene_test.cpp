@@ -80,7 +80,7 @@ TEST(PreparedScene, FindsEntitiesPartsAndRulesByTables) {
     entities.push_back(test::solid(static_cast<workcell::EntityId>(100 + i), "part" + std::to_string(i),
                                    geometry::makeBox(dvec3(0.1))));
   }
-  entities[4].mesh = nullptr;
+  entities[4].body = workcell::Solid{};
   const std::vector<workcell::PairRule> rules{{.first = "part1", .second = "part2", .checked = false},
                                               {.first = "part3", .second = "part1", .checked = false},
                                               {.first = "part2", .second = "part1", .checked = true}};
@@ -88,8 +88,8 @@ TEST(PreparedScene, FindsEntitiesPartsAndRulesByTables) {
   for (const workcell::Entity& entity : scene->entities()) {
     EXPECT_EQ(scene->find(entity.id), &entity);
     EXPECT_EQ(scene->find(entity.name), &entity);
-    ASSERT_EQ(scene->partsOf(entity.id).size(), entity.mesh ? 1u : 0u);
-    if (entity.mesh) {
+    ASSERT_EQ(scene->partsOf(entity.id).size(), entity.mesh() ? 1u : 0u);
+    if (entity.mesh()) {
       EXPECT_EQ(scene->partsOf(entity.id).front().entity, entity.id);
     }
   }

@@ -134,12 +134,11 @@ TEST(PairPolicy, WhatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
 
 TEST(PairFinder, SaysOfTwoWhatTheWholeListSays) {
   auto entities = named({"cell", "group", "a", "b", "c", "d", "frame"});
-  entities[0].kind = entities[1].kind = EntityKind::kAssembly;
+  entities[0].body = entities[1].body = Assembly{};
   entities[1].parent = "cell";
   entities[2].parent = entities[3].parent = "group";
   entities[4].checked = false;
-  entities[6].kind = EntityKind::kFrame;
-  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>();
+  entities[6].body = CellFrame{};
   const std::vector<PairSet> some = {{.name = "s", .first = {"group"}, .second = {"d"}, .safety_distance = 0.004},
                                      {.name = "t", .first = {"a"}, .second = {}, .near_miss = 0.05}};
   for (const auto& sets : {std::vector<PairSet>{}, some}) {

@@ -241,7 +241,7 @@ TEST(Sound, TheCueIsReadFromTwoSnapshots) {
 
 TEST(Sound, TicksAreOfThePairThatIsNearAndOfItsOwnDistance) {
   manipulation::SceneSnapshot before, now;
-  now.stylus.held = before.held = 3;
+  now.stylus.held = before.stylus.held = 3;
   manipulation::PairState touching, near;
   touching.contact = touching.near_miss = true;
   near.distance = 0.03, near.near_miss = true, near.near_miss_distance = 0.04;
