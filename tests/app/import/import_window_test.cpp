@@ -14,6 +14,7 @@
 
 #include "app/panels/tree/tree_edits.h"
 #include "geometry/shapes/shapes.h"
+#include "geometry/system/packed_text.h"
 #include "tests/app/pages/import_page.h"
 #include "tests/support/test_data.h"
 
@@ -27,7 +28,8 @@ class HangingImporter {
     const QString path = folder.filePath("importer.sh");
     QFile file(path);
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write("#!/bin/sh\necho 'progress 0.4 meshing part 2 of 5, Clamp arm' >&4\nexec sleep 600\n");
+    const std::string stage = packed(Text("meshing part %1 of %2, %3", 2, 5, "Clamp arm"));
+    file.write(QByteArray::fromStdString("#!/bin/sh\necho 'progress 0.4 " + stage + "' >&4\nexec sleep 600\n"));
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     file.close();
     qputenv("HAPTICELL_IMPORTER", path.toLocal8Bit());
