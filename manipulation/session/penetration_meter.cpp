@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -79,11 +80,14 @@ void PenetrationMeter::gather(const ManipulationEngine& engine) {
     bodies_.push_back(body);
     return at->second;
   };
+  std::set<workcell::EntityId> owners;
   for (const HeldPair& pair : gathered_of_->pairs()) {
     const std::uint32_t moved = bodyOf(pair.owner, pair.moved_part), other = bodyOf(pair.other, pair.other_part);
-    bodies_[moved].may_move = true;
     watched_.push_back({moved, other});
+    owners.insert(pair.owner);
   }
+  // Links of what is held are also the other part of pairs: they move as well.
+  for (Body& body : bodies_) body.may_move = body.part != nullptr && owners.contains(body.part->entity);
   listNear();
 }
 
