@@ -60,7 +60,7 @@ struct Sphere {
 };
 
 Sphere sphereOf(const ZonePart& part) {
-  geometry::Bounds bounds = part.pieces->bounds();
+  geometry::Bounds bounds = part.pieces != nullptr ? part.pieces->bounds() : geometry::Bounds();
   if (part.surfaces != nullptr) bounds.add(part.surfaces->bounds());
   return {part.X_W * bounds.center(), bounds.radius()};
 }

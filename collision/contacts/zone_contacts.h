@@ -15,7 +15,7 @@ class SurfaceModel;
 
 /// One rigid body in a zone query: a moved solid, a robot's link, or an obstacle.
 struct ZonePart {
-  const ConvexPieces* pieces = nullptr;  ///< Prepared at load; never null.
+  const ConvexPieces* pieces = nullptr;  ///< Prepared at load; null only for ContactFinder, with `surfaces`.
   Pose X_W;                              ///< Pose of the mesh's frame in the world.
   std::uint64_t key = 0;                 ///< Stable from query to query; part of the entries' ids.
   double reach = 0.0;  ///< How far any point of this part can move at most while the hand stays in the wanted radius,

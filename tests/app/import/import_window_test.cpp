@@ -14,7 +14,6 @@
 
 #include "app/panels/tree/tree_edits.h"
 #include "geometry/shapes/shapes.h"
-#include "geometry/system/packed_text.h"
 #include "tests/app/pages/import_page.h"
 #include "tests/support/test_data.h"
 
@@ -28,8 +27,11 @@ class HangingImporter {
     const QString path = folder.filePath("importer.sh");
     QFile file(path);
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    const std::string stage = packed(Text("meshing part %1 of %2, %3", 2, 5, "Clamp arm"));
-    file.write(QByteArray::fromStdString("#!/bin/sh\necho 'progress 0.4 " + stage + "' >&4\nexec sleep 600\n"));
+    // As packed() of geometry/system/packed_text.h writes a text.
+    file.write(
+        "#!/bin/sh\n"
+        "echo 'progress 0.4 \001meshing part %1 of %2, %3\003n2\003n5\003sClamp arm\003\002' >&4\n"
+        "exec sleep 600\n");
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     file.close();
     qputenv("HAPTICELL_IMPORTER", path.toLocal8Bit());
