@@ -106,7 +106,8 @@ def main(program, output, related):
     parts = sections(text)
     words = " ".join(" ".join(lines) for heading, lines in parts if heading == "" and not is_list(lines)).strip()
     summary = re.split(r"(?<=[a-z)])[.:;] |\.$|, which", words)[0]
-    page = [f'.TH {name.upper()} 1 "" "HaptiCell {number}" "User Commands"', ".SH NAME",
+    # .ad l: long words, such as lists of choices, leave gaps in lines that are stretched.
+    page = [f'.TH {name.upper()} 1 "" "HaptiCell {number}" "User Commands"', ".ad l", ".SH NAME",
             f"{quoted(name)} \\- {quoted(summary)}", ".SH SYNOPSIS"]
     for heading, lines in parts:
         if heading == "Usage":
