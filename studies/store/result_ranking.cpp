@@ -12,11 +12,10 @@ namespace hapticell::studies {
 namespace {
 
 double costOfAnswer(const Answer& answer) {
-  constexpr double kWorst = std::numeric_limits<double>::infinity();
-  return std::visit(Overloaded{[](double value) { return value; },
-                               [](std::int64_t value) { return static_cast<double>(value); },
-                               [](const auto&) { return kWorst; }},
-                    answer);
+  return std::visit(
+      Overloaded{[](double value) { return value; }, [](std::int64_t value) { return static_cast<double>(value); },
+                 [](const auto&) { return std::numeric_limits<double>::infinity(); }},
+      answer);
 }
 
 auto rankOf(const ResultRow& row) {
@@ -41,11 +40,11 @@ std::string csvText(const std::string& text) {
 }
 
 std::string csvAnswer(const Answer& answer) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string(); },
-                               [](double value) { return textOf(Value(value)); },
-                               [](std::int64_t value) { return std::to_string(value); },
-                               [](const std::string& text) { return csvText(text); }},
-                    answer);
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string(); }, [](double value) { return textOf(Value(value)); },
+                 [](std::int64_t value) { return std::to_string(value); },
+                 [](const std::string& text) { return csvText(text); }},
+      answer);
 }
 
 }  // namespace
