@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "kinematics/closed_form/closed_form.h"
-#include "kinematics/model/configuration_flags.h"
 #include "kinematics/closed_form/inverse_factory.h"
-#include "kinematics/numeric/numeric_inverse.h"
+#include "kinematics/model/configuration_flags.h"
 #include "kinematics/model/robot_class.h"
+#include "kinematics/numeric/numeric_inverse.h"
 
 namespace hapticell::kinematics {
 
-/// The inverse of a chain that classify() knows: all solutions from the closed form of its class, each checked on the
-/// true chain (and polished on it where the arm is only near its class); the numeric model where the pose is out of
-/// reach, where joints are too slow, and for what is left free.
+/// The inverse model of a chain that classify() recognises: all solutions from the closed form of its class, each
+/// checked on the true chain (and refined on it if the arm is only close to its class). The numeric model is used if
+/// the pose is out of reach, if joints are too slow, and for variables that the closed form leaves free.
 ///
-/// Slides in front and a seventh joint make infinitely many solutions: solve() looks for the nearest one over all of
-/// them, solveAll() lists a sample, the present place of the free parameters first. Const functions keep no state.
+/// Leading slides and a seventh joint give infinitely many solutions: solve() finds the nearest one over all of them;
+/// solveAll() lists a sample that begins with the present values of the free parameters. Const functions keep no state.
 class AnalyticInverse final : public InverseModel {
  public:
   /// `classification` must not be kNumeric; `numeric` is for the same chain.
@@ -33,33 +33,34 @@ class AnalyticInverse final : public InverseModel {
   std::vector<AlternativeSolution> solveAll(const Pose& X_BT, const std::vector<double>& q_start) const override;
 
  private:
-  /// The slides' places, then the arm's own free parameter.
+  /// Positions of the slides, then the free parameter of the arm.
   using Free = std::array<double, kMaxChainVariables>;
   struct Found {
     ChainPositions x{};
     bool within = false;
-    double distance_squared = 0.0;  ///< From the start.
+    double distance_squared = 0.0;  ///< Distance from the start.
   };
   struct Best {
     ChainPositions x{};
     double distance_squared = 0.0;
     Free place{};
     bool any = false;      ///< Within limits.
-    bool outside = false;  ///< One out of limits was seen.
-    bool free = false;     ///< A singular one out of limits was seen.
+    bool outside = false;  ///< A solution outside the limits was found.
+    bool free = false;     ///< A singular solution outside the limits was found.
   };
 
   std::unique_ptr<NumericInverse> numeric_;
   Classification classification_;
   InverseOptions options_;
   std::size_t model_dof_;
-  std::size_t rails_ = 0;  ///< Slides that the closed form does not know.
+  std::size_t rails_ = 0;  ///< Slides that the closed form does not handle.
   std::array<dvec3, kMaxChainVariables> rail_B_;
   std::unique_ptr<const ClosedForm> closed_;
   kernels::JointBounds bounds_{};
   kernels::TrueArm arm_{};  ///< Without the rails.
   ArmShapes shapes_;
-  double proven_error_ = 1.0;  ///< m and rad: the worst of the closed form on the true chain, over a sample of poses.
+  /// m and rad: the largest error of the closed form on the true chain, over a sample of poses.
+  double proven_error_ = 1.0;
 
   std::size_t freeCount() const { return rails_ + static_cast<std::size_t>(closed_->redundancy()); }
   double sampleError() const;

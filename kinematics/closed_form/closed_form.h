@@ -4,38 +4,39 @@
 #include <memory>
 
 #include "geometry/shapes/vector.h"
-#include "kinematics/model/arm_axes.h"
 #include "kinematics/kernels/kernels.h"
+#include "kinematics/model/arm_axes.h"
 #include "kinematics/model/robot_class.h"
 
 namespace hapticell::kinematics {
 
-/// All solutions of one arm in closed form (or, for offset wrists, by a search that misses none), limits left out.
+/// All solutions of one arm in closed form (for offset wrists by a complete search), without regard to limits.
 ///
-/// Exact for the nominal arm: the axes as given with what is nearly parallel, square or meeting taken as exactly so. At
-/// zero the nominal and the true tip coincide. Const functions allocate nothing and run in any thread.
+/// Exact for the nominal arm, in which axes that are nearly parallel, perpendicular or intersecting are taken as
+/// exactly so. At zero, the nominal and the true tip coincide. Const functions allocate nothing and are thread-safe.
 class ClosedForm {
  public:
   virtual ~ClosedForm() = default;
 
-  /// Solutions come in so many groups of four.
+  /// Number of groups of four solutions.
   virtual int groups() const { return 2; }
 
-  /// Free parameters: 0 for six joints; 1 for seven, see redundancyAt().
+  /// Number of free parameters: 0 for six joints; 1 for seven, see redundancyAt().
   virtual int redundancy() const { return 0; }
 
-  /// The tip at R_BT, p_BT in the frame that the arm's axes were given in (slides in front at zero). `redundant` is the
-  /// free parameter, `previous` the arm's joints before: a joint that the pose leaves free keeps its place.
+  /// Solves for the tip at R_BT, p_BT, in the frame in which the arm's axes were given (leading slides at zero).
+  /// `redundant` is the free parameter, `previous` the previous joints of the arm: a joint that the pose does not
+  /// determine keeps its value.
   virtual void solve(const dmat3& R_BT, const dvec3& p_BT, double redundant, const double* previous,
                      kernels::Solutions& solutions) const = 0;
 
-  /// Solutions for kernels::kRingSize values of the free parameter all round, beginning with `first`, at once; false if
-  /// this form does not support it.
+  /// Solutions for kernels::kRingSize evenly spaced values of the free parameter, starting at `first`, in one call;
+  /// false if this form does not support it.
   virtual bool ring(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, double /*first*/, const double* /*previous*/,
                     kernels::SwivelRing& /*ring*/) const {
     return false;
   }
-  /// Those of one entry of a ring, as solve() gives them.
+  /// The solutions of one entry of a ring, as solve() gives them.
   virtual void ofRing(const kernels::SwivelRing& /*ring*/, int /*index*/, kernels::Solutions& /*solutions*/) const {}
 
   /// The free parameter (rad) of joint positions `q` that bring the tip to this pose: the swivel of the elbow, or joint
@@ -43,10 +44,10 @@ class ClosedForm {
   virtual double redundancyAt(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, const double* /*q*/) const { return 0.0; }
 };
 
-/// The closed form of a class for an arm that classify() put into it; null for kNumeric.
+/// The closed form for the class of an arm that classify() recognised; null for kNumeric.
 std::unique_ptr<const ClosedForm> makeClosedForm(RobotClass robot_class, const ArmAxes& axes);
 
-/// The tip's pose taken to an arm's canonical frames: base frame 0 and last joint's frame N.
+/// Converts the pose of the tip to the canonical frames of an arm: base frame 0 and frame N of the last joint.
 class CanonicalFrames {
  public:
   CanonicalFrames() = default;
@@ -58,19 +59,21 @@ class CanonicalFrames {
   kernels::ArmFrames frames_;
 };
 
-/// Walks through an arm's square axes at zero and reads the angles off them.
+/// Follows an arm with perpendicular axes at zero and determines its angles.
 class FrameWalk {
  public:
   explicit FrameWalk(const dmat3& R) : R_(R) {}
-  /// z along z_1, y along z_2 as far as it is square to that.
+  /// z along z_1, y along the part of z_2 that is perpendicular to it.
   FrameWalk(const dvec3& z_1, const dvec3& z_2);
 
   const dmat3& R() const { return R_; }
   const dvec3& x() const { return R_[0]; }
   const dvec3& y() const { return R_[1]; }
   const dvec3& z() const { return R_[2]; }
-  double turnYTo(const dvec3& z);  ///< Turns about y until z points there as far as it can; the angle.
-  double turnZTo(const dvec3& y);  ///< Turns about z until y points there as far as it can; the angle.
+  /// Rotates about y until z is as close as possible to this direction; returns the angle.
+  double turnYTo(const dvec3& z);
+  /// Rotates about z until y is as close as possible to this direction; returns the angle.
+  double turnZTo(const dvec3& y);
   void turnX(double angle);
 
  private:

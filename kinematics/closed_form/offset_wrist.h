@@ -7,11 +7,11 @@
 
 namespace hapticell::kinematics {
 
-/// Arms of class kOffsetWrist: a search over joint 6 for all of up to 16 solutions.
+/// Arms of class kOffsetWrist: a search over joint 6 for all solutions, up to 16.
 ///
-/// The point where axes 4 and 5 meet is on a circle about axis 6; joints 1 to 3 follow in four branches, and one
-/// equation is left, that axis 4 be square to axis 5. It is sampled where the circle is in reach and refined where it
-/// bends, so that close pairs of roots are separated.
+/// The intersection of axes 4 and 5 lies on a circle about axis 6. Joints 1 to 3 follow in four branches, and one
+/// equation remains: axis 4 is perpendicular to axis 5. It is sampled where the circle is within reach, and refined
+/// where it bends so that close pairs of roots are separated.
 std::unique_ptr<const ClosedForm> makeOffsetWrist(const ArmAxes& axes);
 
 }  // namespace hapticell::kinematics

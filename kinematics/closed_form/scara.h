@@ -8,7 +8,7 @@
 namespace hapticell::kinematics {
 
 /// Arms of class kScara: three parallel turning joints and a slide along them, in any order; two solutions. A tip that
-/// is tilted against the axes is solved as if it were not: the caller checks the pose.
+/// is tilted against the axes is solved as if it were not: the caller must check the pose.
 std::unique_ptr<const ClosedForm> makeScara(const ArmAxes& axes);
 
 }  // namespace hapticell::kinematics

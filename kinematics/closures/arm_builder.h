@@ -41,12 +41,13 @@ enum class DhConvention {
   kModified,  ///< Rx(alpha) Tx(a) Rz(theta) Tz(d) with the row's own alpha and a, Craig 1986.
 };
 
-/// Links base_link, link_1 .. link_n, tool0 behind `flange` (pose of tool0 in the frame of the last row). Needs as many
-/// joints as rows.
+/// Links base_link, link_1 .. link_n, tool0 after `flange` (pose of tool0 in the frame of the last row). The number of
+/// joints must equal the number of rows.
 RobotModel buildDh(const std::string& name, DhConvention convention, const std::vector<DhRow>& rows,
                    const std::vector<JointData>& joints, const Pose& flange);
 
-/// One joint of a chain that is given by frames: pose of the joint in the frame before at position 0, axis in it.
+/// One joint of a chain given by frames: the pose of the joint in the frame before at position 0, and its axis in that
+/// frame.
 struct ChainJoint {
   JointData data;
   Pose X_PJ;

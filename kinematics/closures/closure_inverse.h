@@ -13,10 +13,10 @@ namespace hapticell::kinematics {
 
 /// Inverse kinematics of any robot with a closure, by bounded damped least squares over its variables.
 ///
-/// Each step takes the Jacobian of the tool centre point by differences of the closure's own forward model, so it needs
-/// nothing else of the closure. Limits of variables are an active set; a step that would leave the closure's margins
-/// or open its loops is not taken. Position weighs 1, orientation 0.25 m a rad. solve() begins again at Halton points
-/// where the start does not lead there. Const methods keep no state.
+/// Each step computes the Jacobian of the tool centre point by differences of the closure's forward model, so nothing
+/// else of the closure is needed. Limits of variables form an active set; a step that would violate the closure's
+/// margins or open its loops is not taken. Position weighs 1, orientation 0.25 m per rad. solve() restarts at Halton
+/// points if the start does not lead to the pose. Const methods keep no state.
 class ClosureInverse : public InverseModel {
  public:
   /// `model` must have a closure. The model's links are not kept. Errors: the link is the root.
@@ -38,10 +38,10 @@ class ClosureInverse : public InverseModel {
   /// Least squares from `q` (put into the bounds) in at most `iterations` steps.
   void descend(const Pose& X_BT, const Bounds& bounds, int iterations, std::vector<double>& q) const;
   Pose tipAt(const std::vector<double>& q) const;
-  /// Fills errors, status and `singular` for solution.q.
+  /// Sets errors, status and `singular` for solution.q.
   void judge(const Pose& X_BT, const Bounds& bounds, InverseSolution& solution) const;
   bool withinLimits(const std::vector<double>& q) const;
-  /// True when no variable needs longer than that from the start.
+  /// True if no variable needs longer than this from the start.
   bool withinSpeed(const std::vector<double>& q, const std::vector<double>& q_start, double duration_s) const;
   const Bounds& limits() const { return limits_; }
   const std::vector<double>& home() const { return home_; }

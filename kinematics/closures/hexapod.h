@@ -8,18 +8,18 @@
 
 namespace hapticell::kinematics {
 
-/// Where the six legs of a Gough-Stewart platform are hinged, metres.
+/// Positions of the hinges of the six legs of a Gough-Stewart platform, metres.
 struct HexapodGeometry {
   std::array<dvec3, 6> p_BA{};  ///< On the base, in its frame B.
   std::array<dvec3, 6> p_PC{};  ///< On the platform, in its frame P.
 };
 
-/// What the theorem of Newton and Kantorovich says of a pose and six lengths. Distances in m, rotation (rad) times the
-/// platform's radius, both parts as one vector of length 6.
+/// The result of the Newton-Kantorovich theorem for a pose and six lengths. Distances in m; rotation (rad) is
+/// multiplied by the platform's radius; both parts form one vector of length 6.
 struct HexapodCertificate {
   bool holds = false;
-  double exists_within = 0.0;  ///< An exact assembly lies no further away than this,
-  double unique_within = 0.0;  ///< and there is no other one nearer than this.
+  double exists_within = 0.0;  ///< An exact assembly lies within this distance,
+  double unique_within = 0.0;  ///< and there is no other one within this distance.
 };
 
 using LegLengths = std::array<double, 6>;
@@ -28,7 +28,7 @@ struct HexapodForward {
   Pose X_BP;
   int iterations = 0;
   bool converged = false;  ///< All legs within 1e-12 m.
-  int handedness = 0;      ///< Sign of det J; it differs where a singular surface lies between.
+  int handedness = 0;      ///< Sign of det J; it changes across a singular surface.
 };
 
 /// The closed form of the legs and Newton's iteration of the pose. No allocation.
@@ -40,15 +40,15 @@ class HexapodKinematics {
   LegLengths lengths(const dmat3& R_BP, const dvec3& p_BP) const;
   LegLengths lengths(const Pose& X_BP) const { return lengths(X_BP.R(), X_BP.p); }
 
-  /// Newton from X_BStart: rows [u, R c x u], pivoted elimination, the rotation updated by the Cayley map. Up to 40
-  /// assemblies share six lengths (Raghavan 1993); which one is found depends on the start.
+  /// Newton's method from X_BStart: rows [u, R c x u], pivoted elimination, the rotation updated by the Cayley map. Up
+  /// to 40 assemblies have the same six lengths (Raghavan 1993); the start determines which one is found.
   HexapodForward forward(const LegLengths& lengths, const Pose& X_BStart, int max_iterations = 30) const;
 
-  /// Proves that an assembly with these lengths is next to the pose (Ortega 1968; the second derivatives are bounded by
-  /// 2 / shortest leg + 1 / radius each). False near singular surfaces, or where the pose is too far off.
+  /// Proves that there is an assembly with these lengths near the pose (Ortega 1968; the second derivatives are bounded
+  /// by 2 / shortest leg + 1 / radius each). False near singular surfaces, or if the pose is too far away.
   HexapodCertificate certify(const LegLengths& lengths, const Pose& X_BP) const;
 
-  /// det J of the rows [u, R c x u / radius], in [-1, 1] about: 0 where the platform loses its hold.
+  /// det J of the rows [u, R c x u / radius], about in [-1, 1]: 0 where the legs no longer hold the platform.
   double regularity(const Pose& X_BP) const;
 
   double radius() const { return radius_; }  ///< Of the platform's joints, m.

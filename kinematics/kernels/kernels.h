@@ -3,13 +3,14 @@
 
 namespace hapticell::kinematics::kernels {
 
-// Closed forms in the arms' canonical frames, four branches at a time. Plain data only: the functions are compiled
-// twice (AVX2 with FMA, and the plain machine) and chosen when the program runs.
+// Closed forms in the canonical frames of arms, four branches at a time. Plain data only: the functions are compiled
+// twice (AVX2 with FMA, and the portable build) and chosen at run time.
 
 /// Solutions of one pose: 16 is the most that a general arm of six rotary joints has (Primrose 1986). Four a lane
 /// group.
 inline constexpr int kMaxSolutions = 16;
-/// Joints of an arm in the kernels: two groups of four lanes. A longer chain takes the numeric code without lanes.
+/// The greatest number of joints of an arm in the kernels: two groups of four lanes. A longer chain uses the numeric
+/// code without lanes.
 inline constexpr int kMaxJoints = 8;
 
 /// Pose of the last joint's frame in the arm's canonical base frame; R row by row.
@@ -18,7 +19,7 @@ struct ArmPose {
   double p[3];
 };
 
-/// What takes a tip's pose to an ArmPose: columns of R_0B (each with a fourth number, zero), rows of R_TN, and the
+/// Converts the pose of a tip to an ArmPose: columns of R_0B (each with a fourth number, zero), rows of R_TN, and the
 /// origins of 0 in B and of N in T.
 struct ArmFrames {
   double R_0B[3][4] = {};
@@ -62,8 +63,8 @@ struct SevenArm {
   JointMap map;
 };
 
-/// Swivels of a seven-joint arm tried all round, 5.6 degrees apart. Half: narrow gaps between limits are missed, the
-/// numeric search has to find them; twice: twice the time of solve().
+/// Number of swivel angles tried for a seven-joint arm, 5.6 degrees apart. Half: narrow gaps between limits are missed
+/// and left to the numeric search; twice: twice the time of solve().
 inline constexpr int kRingSize = 64;
 
 /// An S-R-S arm's principal solution (see Table::srsRing) for swivels all round, canonical angles.
@@ -85,14 +86,14 @@ struct OffsetArm {
   Circle across_5, axis_5, along_5;  ///< x, y (the axis) and z of the frame of link 5; z is axis 4 at q_5 = 0.
 };
 
-/// An arm as it truly is. Before joint i a constant step R[i], p[i] (row by row); each joint turns about, or slides
-/// along, z of the frame after it.
+/// An arm with its true (not idealised) axes. Before joint i a constant step R[i], p[i] (row by row); each joint turns
+/// about, or slides along, z of the frame after it.
 struct TrueArm {
   int joints = 0;
   bool slides[kMaxJoints] = {};
   double R[kMaxJoints][9], p[kMaxJoints][3];
   double R_tip[9], p_tip[3];
-  double scale = 1.0;  ///< 1 / m: what a metre weighs against a radian in a step.
+  double scale = 1.0;  ///< 1 / m: weight of a metre relative to a radian in a step.
 };
 
 /// One descent of Table::fit; see fitPose().
@@ -108,7 +109,7 @@ struct FitAnswer {
   double x[kMaxJoints];
   double position_error = 0.0;
   double orientation_error = 0.0;
-  bool held = false;  ///< A bound was in the way at the end.
+  bool held = false;  ///< A bound was active at the end.
   int iterations = 0;
 };
 
@@ -121,17 +122,17 @@ struct SeedPoses {
 /// twice: up to twice the time of a search that fails.
 inline constexpr int kSeedGroups = 16;
 
-/// What makes a solution allowed and near; see Table::choose.
+/// Conditions for an allowed and near solution; see Table::choose.
 struct JointBounds {
   double lower[kMaxJoints];
   double upper[kMaxJoints];
-  double turn[kMaxJoints];  ///< 2 pi where a full turn changes nothing, else 0.
+  double turn[kMaxJoints];  ///< 2 pi if a full turn changes nothing, otherwise 0.
   int joints = 6;
 };
 
 struct Choice {
   unsigned within = 0;  ///< Bit k: solution k is valid and within the bounds.
-  int nearest = -1;     ///< Of these the one nearest to the previous joints; -1 without any.
+  int nearest = -1;     ///< The one of these nearest to the previous joints; -1 if no solution is allowed.
   double distance_squared = 0.0;
 };
 
@@ -140,9 +141,9 @@ struct FourAxes {
   double axis[kMaxJoints][3][4], origin[kMaxJoints][3][4];
 };
 
-/// The functions of one build. `previous` are the joints before, q as in Solutions: a joint that the pose leaves free
-/// (joint 4 at theta_5 = 0, joint 1 with the wrist centre on axis 1, joint 6 of a UR at theta_5 = 0, and the like)
-/// keeps its place. None allocates or throws.
+/// The functions of one build. `previous` are the previous joints, q as in Solutions: a joint that the pose does not
+/// determine (joint 4 at theta_5 = 0, joint 1 with the wrist centre on axis 1, joint 6 of a UR at theta_5 = 0, and the
+/// like) keeps its value. None allocates or throws.
 struct Table {
   const char* name;
   /// The tip at R_BT (column by column), p_BT in the arm's canonical frames.
@@ -166,30 +167,30 @@ struct Table {
   void (*panda)(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions);
   /// Up to sixteen solutions of an arm with an offset wrist, found by a search over joint 6.
   void (*offsetWrist)(const OffsetArm& arm, Solutions& solutions);
-  /// How far the four solutions of a group are from the pose R (row by row), p on the true arm: `errors` gets the
-  /// larger of the distance (m) and the sine of the angle between, 1 beyond 60 deg. Valid ones that are off are brought
-  /// nearer by so many Newton steps at most.
+  /// The errors of the four solutions of a group from the pose R (row by row), p on the true arm: `errors` receives the
+  /// larger of the distance (m) and the sine of the angle between, 1 beyond 60 deg. Valid solutions with an error are
+  /// improved by at most the given number of Newton steps.
   void (*polish)(const TrueArm& arm, const double* R, const double* p, int group, int iterations, Solutions& solutions,
                  double* errors);
   /// The axes of the true arm with the joints of four solutions, a group's.
   void (*axes)(const TrueArm& arm, const Solutions& solutions, int group, FourAxes& axes);
   /// A bounded least-squares descent for an arm of seven joints at most.
   void (*fit)(const TrueArm& arm, const FitTask& task, FitAnswer& answer);
-  /// Of each of sixteen interleaved groups of seeds the one nearest to the wanted pose (by position times scale, 1/m,
-  /// and angle), nearest first.
+  /// For each of sixteen interleaved groups of seeds, the one nearest to the requested pose (by position times scale,
+  /// 1/m, and angle), nearest first.
   void (*nearestSeeds)(const SeedPoses& seeds, const float* wanted, float scale, int* order);
   /// Turns each joint of each solution to the full turn nearest to `previous` within the bounds (a solution outside
-  /// stays where it is nearest), and finds the nearest one. `groups`: number of groups of four solutions.
+  /// stays at the nearest turn), and finds the nearest solution. `groups`: number of groups of four solutions.
   Choice (*choose)(const JointBounds& bounds, const double* previous, int groups, Solutions& solutions);
 };
 
-/// The functions for this processor: AVX2 with FMA where it has them.
+/// The functions for this processor: AVX2 with FMA if it has them.
 const Table& table();
 
-/// From now on the plain build serves everybody (true), or the best one again: for tests and measurements.
+/// Selects the portable build for all callers (true), or the best one again: for tests and measurements.
 void usePlain(bool plain);
 
-/// One build, for tests and measurements; null where the processor cannot run it.
+/// One build, for tests and measurements; null if the processor cannot run it.
 const Table* plainTable();
 const Table* avx2Table();
 

@@ -5,14 +5,14 @@
 
 namespace hapticell::kinematics {
 
-/// The axes of the turning joints of an arm at zero, in the chain's root frame, slides in front of it split off.
+/// The axes of the turning joints of an arm at zero, in the root frame of the chain, without the leading slides.
 struct ArmAxes {
   std::size_t rails = 0;  ///< Leading slides.
-  std::size_t count = 0;  ///< Joints behind them.
+  std::size_t count = 0;  ///< Joints after them.
   std::array<dvec3, kMaxChainVariables> rail_B;
   std::array<dvec3, kMaxChainVariables> axis_B;
   std::array<dvec3, kMaxChainVariables> origin_B;
-  std::array<bool, kMaxChainVariables> prismatic{};  ///< Of the joints behind the rails.
+  std::array<bool, kMaxChainVariables> prismatic{};  ///< Of the joints after the rails.
   bool simple = false;                               ///< Each joint has a variable of its own.
   double reach = 1.0;
   dmat3 R_BT{1.0};
@@ -22,12 +22,12 @@ struct ArmAxes {
 /// Evaluates the chain with all variables zero.
 ArmAxes armAxes(const Chain& chain);
 
-/// Angle (rad, up to a right one) between two axes; the least distance (m) of their lines.
+/// Angle (rad, at most a right angle) between two axes; the least distance (m) of their lines.
 double angleBetween(const ArmAxes& axes, std::size_t a, std::size_t b);
 double lineDistance(const ArmAxes& axes, std::size_t a, std::size_t b);
 
-/// The point halfway between the lines of axes a and b where they are nearest; for parallel axes a's point next to the
-/// origin of b.
+/// The midpoint of the shortest segment between the lines of axes a and b; for parallel axes, the point of a next to
+/// the origin of b.
 dvec3 nearestPoint(const ArmAxes& axes, std::size_t a, std::size_t b);
 
 /// Distance (m) of a point from the line of an axis.

@@ -9,11 +9,11 @@
 
 namespace hapticell::kinematics {
 
-/// Variables of a chain, for arrays without allocation in the loop: an arm of 7 on 6 external axes fits. More is
-/// refused with a message. Half: that is refused; twice: larger states to copy.
+/// The greatest number of variables of a chain, for arrays without allocation in the loop: an arm of 7 on 6 external
+/// axes fits. More are refused with a message. Half: that example is refused; twice: more state to copy.
 inline constexpr std::size_t kMaxChainVariables = 16;
-/// Joints of a chain that move, mimic joints among them; half again the variables. More is refused with a message.
-/// Half: fewer than the variables; twice: larger states to copy.
+/// The greatest number of moving joints of a chain, including mimic joints: half as many again as variables. More are
+/// refused with a message. Half: fewer than the variables; twice: more state to copy.
 inline constexpr std::size_t kMaxChainJoints = 24;
 
 /// Positions of a chain's variables, base to tip; the first `Chain::size()` numbers count.
@@ -27,9 +27,10 @@ struct ChainState {
   std::array<dvec3, kMaxChainJoints> origin_B;
 };
 
-/// The joints between the root and a tip, with fixed joints folded away: what an inverse model walks many times.
+/// The joints between the root and a tip, with fixed joints merged into their neighbours, for repeated evaluation by
+/// inverse models.
 ///
-/// A value without heap use while it is evaluated; safe from several threads at once.
+/// A value; evaluation uses no heap and is thread-safe.
 class Chain {
  public:
   /// A joint that moves the tip; a mimic joint names the variable that it follows.
@@ -43,8 +44,8 @@ class Chain {
     double offset = 0.0;
   };
 
-  /// The chain to `tip_link` and the tool centre point X_LT on it. Errors: nothing moves the tip, or more than 16
-  /// variables or 24 moving joints do.
+  /// The chain to `tip_link` and the tool centre point X_LT on it. Errors: nothing moves the tip, or there are more
+  /// than 16 variables or 24 moving joints.
   static Expected<Chain> create(const RobotModel& model, int tip_link, const Pose& X_LT);
 
   std::size_t size() const { return variables_.size(); }
@@ -52,12 +53,12 @@ class Chain {
   const std::vector<int>& variables() const { return variables_; }  ///< Of the model, base to tip.
   const ChainPositions& lower() const { return lower_; }
   const ChainPositions& upper() const { return upper_; }
-  const ChainPositions& velocity() const { return velocity_; }  ///< If the file has no value: 1 m/s, pi rad/s.
-  /// True when a full turn of the variable changes nothing at the tip.
+  const ChainPositions& velocity() const { return velocity_; }  ///< If the file gives none: 1 m/s, pi rad/s.
+  /// True if a full turn of the variable changes nothing at the tip.
   bool turns(std::size_t variable) const { return turns_[variable]; }
   /// An upper bound (m) of the tip's distance from the first joint's origin.
-  double reach() const { return reach_; }  ///< Infinite with a slide that has no limits.
-  /// A length (m) of the chain, by which misfits are scaled: reach(), with 1 m for each slide without limits.
+  double reach() const { return reach_; }  ///< Infinite if there is a slide without limits.
+  /// A length (m) of the chain that scales errors: reach(), with 1 m for each slide without limits.
   double scale() const { return scale_; }
 
   void evaluate(const ChainPositions& x, ChainState& state) const;

@@ -13,8 +13,8 @@ namespace hapticell::kinematics {
 class InverseModel;
 struct RobotModel;
 
-/// Distance to a limit that no variable sets directly (a passive joint, a rod's ball joint, a singularity); negative
-/// beyond.
+/// Distance to a limit that no variable sets directly (a passive joint, the ball joint of a rod, a singularity);
+/// negative beyond it.
 struct ClosureMargin {
   Text what;           ///< "rod 3's ball joint", for a sentence such as "... is 2.1 deg from its limit".
   double value = 0.0;  ///< rad, m or (singularities) dimensionless.
@@ -23,8 +23,8 @@ struct ClosureMargin {
 
 /// Closes the loops of a robot that is not a tree of joints: computes the poses of all links from the variables.
 ///
-/// A model with a closure names only the joints that users set among its variables (the motors of a Delta, the legs of
-/// a hexapod). Immutable; const methods may be called from several threads at once.
+/// The variables of a model with a closure are only the joints that users set (the motors of a Delta, the legs of a
+/// hexapod). Immutable; const methods are thread-safe.
 class Closure {
  public:
   virtual ~Closure() = default;
@@ -32,11 +32,11 @@ class Closure {
   /// The class of the inverse model: "delta", "hexapod", "loops".
   virtual std::string name() const = 0;
 
-  /// Poses X_BL of all links in the root link's frame B for `q`, one number a variable, in the assembly of the home
-  /// position. False where the loops cannot be closed at `q`: the poses are then the nearest that were found.
+  /// Poses X_BL of all links in the root link's frame B for `q`, one number per variable, in the assembly of the home
+  /// position. False if the loops cannot be closed at `q`: the poses are then the nearest ones found.
   virtual bool pose(const std::vector<double>& q, std::vector<Pose>& X_BL) const = 0;
 
-  /// Additional limits at `q`, apart from those of the variables. Always the same number of them in the same order.
+  /// Limits at `q` in addition to those of the variables. Always the same number in the same order.
   virtual void margins(const std::vector<double>& q, std::vector<ClosureMargin>& out) const = 0;
 
   /// The inverse model for the tool centre point X_LT on `tip_link`. Errors: nothing moves that link.

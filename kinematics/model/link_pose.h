@@ -7,8 +7,8 @@
 
 namespace hapticell::kinematics {
 
-/// X_BL of one link, as forwardKinematics() gives it: only the joints between it and the base are gone through (of a
-/// model with closed loops all of them).
+/// X_BL of one link, as from forwardKinematics(): evaluates only the joints between the base and the link (in a model
+/// with closed loops, all).
 Pose linkPose(const RobotModel& model, const std::vector<double>& q, int link);
 
 }  // namespace hapticell::kinematics

@@ -9,11 +9,11 @@ namespace hapticell::kinematics {
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< rad.
 
-/// Shifts turning variables by whole turns to where they are nearest to `x_start` within their limits, and puts what is
-/// over a limit by less than 1e-9 on it; false when one is outside its limits whatever the turn.
+/// Shifts turning variables by full turns to the position nearest to `x_start` within their limits, and moves what
+/// exceeds a limit by less than 1e-9 onto it; false if a variable is outside its limits at every turn.
 bool takeNearestTurns(const Chain& chain, const ChainPositions& x_start, ChainPositions& x);
 
-/// True when no variable differs by more than `tolerance` (rad or m), full turns left out of account.
+/// True if no variable differs by more than `tolerance` (rad or m), apart from full turns.
 bool sameButForTurns(const Chain& chain, const ChainPositions& a, const ChainPositions& b, double tolerance);
 
 /// Sum of the squared differences.

@@ -16,14 +16,14 @@ namespace hapticell::kinematics {
 
 /// Inverse kinematics of any serial chain by bounded damped least squares (see fitPose() for the method).
 ///
-/// Where a pose cannot be met, position weighs 1 and orientation by a lever of 0.25 m unless set otherwise: 1 rad
-/// counts like 250 mm. A longer lever keeps the orientation and lets the position yield, a shorter one the other way
-/// round. Restarts begin at 1024 Halton points within the limits, those nearest to the wanted pose first, always the
-/// same: answers repeat. Const methods keep no state and may run in several threads at once.
+/// If a pose cannot be met, position weighs 1 and orientation is converted by a lever of 0.25 m unless set otherwise: 1
+/// rad counts like 250 mm. A longer lever keeps the orientation and gives up position, a shorter one the reverse.
+/// Restarts begin at 1024 Halton points within the limits, those nearest to the requested pose first; they are always
+/// the same, so answers are reproducible. Const methods keep no state and are thread-safe.
 class NumericInverse final : public InverseModel {
  public:
   /// For the tool centre point X_LT on `tip_link` of `model`. The model is read, not kept. Errors: see Chain::create(),
-  /// and a tool that is no pose.
+  /// and an invalid pose of the tool.
   static Expected<std::unique_ptr<NumericInverse>> create(const RobotModel& model, int tip_link, const Pose& X_LT = {},
                                                           double lever_m = 0.25);
 
@@ -33,25 +33,26 @@ class NumericInverse final : public InverseModel {
   void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const override;
 
-  /// What a shot does where only the joints' speeds are in the way (a wrist that would have to swing round).
+  /// The behaviour of a step if only the speeds of the joints prevent the pose (a wrist that would have to turn
+  /// quickly).
   struct Hurried {
-    /// What is kept, the position within 0.2 mm or the orientation within 0.2 mrad, while the other yields; where it
-    /// cannot be kept, both yield by their weights.
+    /// What is kept (the position within 0.2 mm or the orientation within 0.2 mrad) while the other lags; if it cannot
+    /// be kept, both lag by their weights.
     enum class Keep { kPosition, kOrientation };
     Keep keep = Keep::kPosition;
     int held = -1;  ///< A variable of the chain that does not move, or -1.
   };
   /// For solveNearest(); to be called before the model is used.
   void setHurried(const Hurried& hurried) { hurried_ = hurried; }
-  /// solveNearest() for a pose that is known to be kept off by speeds alone: what is kept is tried first.
+  /// solveNearest() for a pose that only speeds prevent: first tries to keep what must be kept.
   void solveHurried(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const;
 
-  /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
+  /// The pose of least error from `q_start` at any distance, within the limits; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
 
-  /// Any solution within limits, the start tried first where it is near: as solve(), but it returns the first one found
-  /// and does not check its singularity.
+  /// Any solution within limits, with the start tried first if it is near: as solve(), but it returns the first
+  /// solution found and does not check for singularity.
   InverseSolution solveAny(const Pose& X_BT, const std::vector<double>& q_start) const;
 
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
@@ -64,7 +65,7 @@ class NumericInverse final : public InverseModel {
   };
 
   Chain chain_;
-  std::optional<kernels::TrueArm> arm_;  ///< For the fast descent, where the chain allows it.
+  std::optional<kernels::TrueArm> arm_;  ///< For the fast descent, if the chain allows it.
   std::optional<Elbow> elbow_;
   FitOptions options_;
   Hurried hurried_;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kinematics/model/chain.h"
 #include "kinematics/kernels/kernels.h"
+#include "kinematics/model/chain.h"
 
 namespace hapticell::kinematics {
 
-/// True when each joint of the chain has a variable of its own and there are no more than eight behind the first
-/// `slides`: what a kernels::TrueArm can hold.
+/// True if each joint of the chain has its own variable and there are at most eight joints after the first `slides`:
+/// the capacity of a kernels::TrueArm.
 bool fitsTrueArm(const Chain& chain, std::size_t slides = 0);
 
-/// The chain's joints with frames chosen so that each turns about, or slides along, its z; the first `slides`, which
-/// must be slides, stand at zero.
+/// The joints of the chain with frames such that each turns about, or slides along, its z axis; the first `slides`,
+/// which must be slides, are at zero.
 kernels::TrueArm trueArm(const Chain& chain, std::size_t slides = 0);
 
 }  // namespace hapticell::kinematics

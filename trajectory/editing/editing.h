@@ -12,66 +12,73 @@
 
 namespace hapticell::trajectory {
 
-// Edits of a motion. Each gives a copy; what is given is never changed. Times of a copy begin at 0 unless said. Frames
-// that stay keep what was recorded with them (channels, touches); new frames do not have it.
+// Edits of a motion. Each returns a copy; the input is never changed. The times of a copy begin at 0 unless stated
+// otherwise. Frames that are kept retain their recorded data (channels, touches); new frames have none.
 //
-// Where an edit puts the moved frame somewhere else, a robot's joints cannot be known here: the result has none
-// (`joints_lost`), and manipulation/checks/motion_replay.h finds them again by the inverse model.
+// If an edit changes the pose of the moved frame, the robot's joints are unknown here: the result has no joints
+// (`joints_lost`), and manipulation/checks/motion_replay.h computes them again with the inverse model.
 
-/// The motion from `t0` to `t1` (s of the trajectory), its ends interpolated. Errors: nothing of it lies between.
+/// The part of the motion from `t0` to `t1` (s, trajectory time); both ends are interpolated. Errors: the motion does
+/// not cover any of this interval.
 Expected<Trajectory> trimmed(const Trajectory& trajectory, double t0, double t1);
 
-/// Before and after `t`; both contain the place at `t`. Errors: `t` is not between the first and the last frame.
+/// Splits at `t`; both parts contain the pose at `t`. Errors: `t` is not between the first and the last frame.
 Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory, double t);
 
-/// One after the other. Between the end of one and the beginning of the next the frame goes straight, in the time it
-/// takes at `speed` (m/s; turning counts 0.1 m/rad), at least 1 ms. Errors: fewer than two, other entities or joints.
+/// Joins motions in order. Between the end of one and the start of the next, the frame moves in a straight line at
+/// `speed` (m/s; rotation counts 0.1 m/rad), for at least 1 ms. Errors: fewer than two motions, or different entities
+/// or joints.
 Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed = 0.1);
 
-/// Every `step` seconds a frame, times as recorded; frames set by hand stay besides. Errors: a step that is not
-/// positive, no frames, more than ten million of them.
+/// One frame every `step` seconds, at unchanged speed; frames set by hand are kept in addition. Errors: `step` is not
+/// positive, no frames, more than ten million frames.
 Expected<Trajectory> resampled(const Trajectory& trajectory, double step);
 
-/// Backwards in time.
+/// The motion in reverse.
 Trajectory reversed(const Trajectory& trajectory);
 
-/// Mirrored on the plane through `p_W` with normal `nhat_W`: as a partner on the other side would do it. Positions are
-/// reflected; the frame's own x axis is turned round besides, so that it stays right-handed. Joints are lost.
+/// Mirrored at the plane through `p_W` with normal `nhat_W`, as a partner on the opposite side would perform it.
+/// Positions are reflected; the x axis of the frame is also flipped so that the frame stays right-handed. Joints are
+/// lost.
 Trajectory mirrored(const Trajectory& trajectory, const dvec3& p_W, const dvec3& nhat_W);
 
-/// The whole motion somewhere else: X_WN * X_WT. Joints are lost.
+/// The whole motion moved rigidly: X_WN * X_WT. Joints are lost.
 Trajectory transformed(const Trajectory& trajectory, const Pose& X_WN);
 
-/// A frame by hand at `t`; between its neighbours it needs no more time than they leave, before and after the motion
-/// the motion grows. Joints are lost. Errors: there is a frame within 1 ms of it.
+/// Inserts a frame set by hand at `t`. Times of the neighbours do not change; before the start or after the end, the
+/// motion becomes longer. Joints are lost. Errors: there is already a frame within 1 ms of `t`.
 Expected<Trajectory> withFrame(const Trajectory& trajectory, double t, const Pose& X_WT);
 
-/// Frame `i` at another place, set by hand; the frames within `reach` seconds of it go along, less the farther away (by
-/// a smooth bell), so that a dense recording bends and does not break. Joints are lost. Errors: no such frame.
+/// Moves frame `i` to another pose, as set by hand. Frames within `reach` seconds follow, less the farther away they
+/// are (by a smooth bell curve), so that a dense recording bends without a kink. Joints are lost. Errors: no such
+/// frame.
 Expected<Trajectory> withFrameAt(const Trajectory& trajectory, std::size_t i, const Pose& X_WT, double reach);
 
-/// Without frames `first` to `last`. Errors: no such frames, or none would be left.
+/// Deletes frames `first` to `last`. Errors: no such frames, or no frame would remain.
 Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t first, std::size_t last);
 
-/// Waits `seconds` (0: goes through) at frame `i`, where a program does its work. Errors: no such frame, negative time.
+/// Sets a dwell of `seconds` (0: no stop) at frame `i`, where a program does its work. Errors: no such frame, negative
+/// time.
 Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, double seconds);
 
-/// Frame `i` with a name, or with none (empty). Errors: no such frame, a name that does not fit one line of 200 bytes,
-/// or that another frame has.
+/// Sets the name of frame `i`; an empty name removes it. Errors: no such frame, a name that is not a single line of at
+/// most 200 bytes, or that another frame already has.
 Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const std::string& name);
 
-/// Frame `from` at place `to` of the order; all others keep theirs. Frames keep pose, joints, wait and name. Ways that
-/// stay take the time they took, also turned round; a new one goes at the motion's average speed (turning counts
-/// 0.1 m/rad), at least 1 ms. What was recorded besides (channels, touches) is left out. Errors: no such frames.
+/// Moves frame `from` to index `to`; the order of the others does not change. Frames keep their pose, joints, dwell and
+/// name. Segments that still exist keep their duration, also when reversed; a new segment is run at the average speed
+/// of the motion (rotation counts 0.1 m/rad), for at least 1 ms. Recorded data (channels, touches) is dropped. Errors:
+/// no such frames.
 Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t from, std::size_t to);
 
-/// A straight way to the first frame or from the last one.
+/// A straight approach to the first frame or retract from the last one.
 struct StraightWay {
   double length = 0.05;               ///< m, above 0.
-  dvec3 direction_T{0.0, 0.0, -1.0};  ///< Of the far end as seen from the motion, in the moved frame's own axes.
+  dvec3 direction_T{0.0, 0.0, -1.0};  ///< Towards the far end, in the axes of the moved frame.
   double speed = 0.1;                 ///< m/s, above 0.
 };
-/// With an approach before it (times of the motion are later by its time), or a retract after it. Joints are lost.
+/// Adds an approach at the start (all times of the motion shift by its duration) or a retract at the end. Joints are
+/// lost.
 Expected<Trajectory> withApproach(const Trajectory& trajectory, const StraightWay& way);
 Expected<Trajectory> withRetract(const Trajectory& trajectory, const StraightWay& way);
 

@@ -9,9 +9,9 @@
 
 namespace hapticell::trajectory {
 
-/// Splits spans of frames at the frame that is farthest off the straight way between their ends, until none is farther
-/// off than 1; adds the frames of the splits to `kept`, which is sorted at the end (Douglas & Peucker, Cartographica
-/// 10(2), 1973). `off(i, span)`: how far frame i is off.
+/// Splits spans of frames at the frame that deviates most from the straight segment between the ends, until no
+/// deviation is greater than 1. The split frames are added to `kept`, which is sorted at the end (Douglas & Peucker,
+/// Cartographica 10(2), 1973). `off(i, span)` returns the deviation of frame i.
 template <typename Off>
 void splitAtFarthest(std::vector<FrameSpan> open, const Off& off, std::vector<std::size_t>& kept) {
   while (!open.empty()) {

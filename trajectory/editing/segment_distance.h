@@ -8,29 +8,29 @@
 
 namespace hapticell::trajectory {
 
-/// How far a motion is from another.
+/// The deviation of one motion from another.
 struct Deviation {
   PoseDistance pose;
-  double joint = 0.0;  ///< rad (m), of the joint that is farthest off.
-  /// The largest share; over 1 is out of tolerance.
+  double joint = 0.0;  ///< rad (m), of the joint with the largest deviation.
+  /// The largest deviation as a share of its tolerance; above 1 is out of tolerance.
   double shareOf(const PathTolerance& tolerance) const;
-  /// Each by itself the larger one.
+  /// The larger value of each field.
   void grow(const Deviation& other);
 };
 
-/// Two frames between which a motion goes straight.
+/// Two frames between which a motion is straight.
 struct FrameSpan {
   std::size_t first, last;
 };
 
-/// Frames of one motion against straight segments of another: pose and joints at one place of the segment.
+/// Compares frames of one motion with straight segments of another: pose and joints at the same place on the segment.
 class SegmentDistance {
  public:
-  /// Both must outlive it. Joints count where both have as many and their tolerance is finite, poses where both have
-  /// them.
+  /// Both must outlive it. Joints are compared if both have the same number and the joint tolerance is finite, poses if
+  /// both have them.
   SegmentDistance(const Trajectory& frames, const Trajectory& segments, const PathTolerance& tolerance);
 
-  /// Frame `i` from the nearest place of the segment, all weighed by the tolerance.
+  /// The deviation of frame `i` from the nearest place on the segment, weighted by the tolerance.
   Deviation of(std::size_t i, FrameSpan segment) const;
 
  private:

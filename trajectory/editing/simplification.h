@@ -9,22 +9,23 @@
 
 namespace hapticell::trajectory {
 
-/// Indices of the frames that are enough to stay within `tolerance` of every frame when motion between them is straight
-/// (origin on a line, rotation about a fixed axis, joints in proportion), each frame against the nearest place on its
-/// segment. Ends, frames set by hand and frames with a dwell are kept. Douglas & Peucker, Cartographica 10(2), 1973,
-/// with the largest share of the tolerance as distance.
+/// Indices of the frames that suffice to stay within `tolerance` of every frame, if the motion between them is straight
+/// (origin on a line, rotation about a fixed axis, joints in proportion). Each frame is compared with the nearest place
+/// on its segment. The ends, frames set by hand and frames with a dwell are kept. Douglas & Peucker, Cartographica
+/// 10(2), 1973, with the largest share of the tolerance as distance.
 std::vector<std::size_t> framesToKeep(const Trajectory& trajectory, const PathTolerance& tolerance);
 
-/// A copy with those frames only.
+/// A copy with only those frames.
 Trajectory simplified(const Trajectory& trajectory, const PathTolerance& tolerance);
 
-/// A copy without the frames in which nothing moves by more than `still` against the last one kept; the time spent
-/// there stays, since the frames after keep theirs. The last frame stays. Re-timing needs this: paths do not stand
-/// still.
+/// A copy without the frames in which nothing moves by more than `still` since the last kept frame. Pauses keep their
+/// duration, because later frames keep their times. The last frame is kept. Re-timing needs this: along a path,
+/// progress must not stop.
 Trajectory withoutStillFrames(const Trajectory& trajectory, const PathTolerance& still);
 
-/// The largest deviation of `original`'s frames from the motion of `other`, each from the nearest place on the segment
-/// that `other` runs through at the frame's time, so that a path that crosses itself or comes by again is not mistaken.
+/// The largest deviation of the frames of `original` from the motion of `other`. Each frame is compared with the
+/// nearest place on the segment that `other` passes at the frame's time, so that a path that crosses itself or returns
+/// is compared correctly.
 Deviation largestDeviation(const Trajectory& original, const Trajectory& other);
 
 }  // namespace hapticell::trajectory

@@ -11,27 +11,30 @@ struct SmoothingOptions {
   PathTolerance tolerance{};
 };
 
-/// What a hand's tremor is like: motion around 9 Hz that a curve of second degree over a quarter of a second leaves.
+/// Hand tremor: the motion around 9 Hz that remains after a curve of second degree is fitted over a quarter of a
+/// second.
 struct Tremor {
   double position = 0.0;  ///< rms, m.
   double angle = 0.0;     ///< rms, rad.
 };
 
 struct SmoothingReport {
-  PoseDistance max_deviation{};  ///< Of any recorded frame.
+  PoseDistance max_deviation{};  ///< The largest over all recorded frames.
   double rms_deviation = 0.0;    ///< m
   Tremor tremor{};
-  bool tremor_exceeds_tolerance = false;  ///< Then the tolerance cannot be kept without keeping the tremor.
-  double rms_jerk_before = 0.0;           ///< m/s3, by third differences of the recording.
-  double rms_jerk_after = 0.0;            ///< m/s3, of the spline.
+  /// The tolerance is smaller than the tremor: smoothing cannot remove the tremor and keep the tolerance.
+  bool tremor_exceeds_tolerance = false;
+  double rms_jerk_before = 0.0;  ///< m/s3, by third differences of the recording.
+  double rms_jerk_after = 0.0;   ///< m/s3, of the spline.
   std::size_t spans = 0;
-  std::size_t frames_drawn_back = 0;  ///< That no spline brought within the tolerance: they are at its edge.
+  /// Frames that no spline passed within the tolerance: they were moved to its edge.
+  std::size_t frames_drawn_back = 0;
 };
 
-/// A copy with the same times on a cubic spline through position, orientation and joints, with as few spans as keep
-/// every frame within the tolerance and the running mean unbiased (so that tremor goes and the path stays). Frames that
-/// no spline brings within it (few of them, sharp corners) are drawn back to its edge. Poses and joints are smoothed
-/// each by itself and marked so. A trajectory of fewer than four frames comes back as it is.
+/// A copy with the same times, on a cubic spline through position, orientation and joints. It has as few spans as keep
+/// every frame within the tolerance and the running mean unbiased, so that tremor is removed and the path is kept. The
+/// few frames that no spline passes within the tolerance (sharp corners) are moved to its edge. Poses and joints are
+/// smoothed separately and marked so. A trajectory with fewer than four frames is returned unchanged.
 struct Smoothed {
   Trajectory trajectory;
   SmoothingReport report;
@@ -40,7 +43,7 @@ Smoothed smoothed(const Trajectory& trajectory, const SmoothingOptions& options 
 
 Tremor estimateTremor(const Trajectory& trajectory);
 
-/// rms of the third time derivative of the position, m/s3, by divided differences over four frames.
+/// The rms of the third time derivative of the position, m/s3, by divided differences over four frames.
 double rmsJerk(const Trajectory& trajectory);
 
 }  // namespace hapticell::trajectory

@@ -8,8 +8,8 @@
 
 namespace hapticell::trajectory {
 
-/// A ROS 2 `trajectory_msgs/JointTrajectory` as YAML: joints (rad, m) with velocities by central differences, times
-/// from the first frame on. Errors: a trajectory without joints. Its reader is readRosYaml().
+/// A ROS 2 `trajectory_msgs/JointTrajectory` as YAML: joints (rad, m), velocities by central differences, times
+/// relative to the first frame. Errors: a trajectory without joints. readRosYaml() reads it back.
 Expected<std::string> toRosText(const Trajectory& trajectory);
 
 }  // namespace hapticell::trajectory

@@ -30,7 +30,7 @@ class CubicSpline {
   };
   Basis basis(double u, int order = 0) const;
 
-  /// Where control i acts most (Greville's abscissa).
+  /// The parameter where control point i has most influence (Greville's abscissa).
   double averageKnot(std::size_t i) const;
 
  private:
@@ -42,16 +42,16 @@ class CubicSpline {
   std::vector<double> controls_;
 };
 
-/// Weighted points to be approximated: at parameter u[i] the `dimensions` numbers from values[i * dimensions] on.
+/// Weighted points to approximate: at parameter u[i] the `dimensions` numbers from values[i * dimensions] on.
 struct SplineData {
   std::span<const double> u;  ///< Increasing.
   std::span<const double> values;
-  std::span<const double> weights;  ///< One a point; empty: all 1.
+  std::span<const double> weights;  ///< One per point; empty: all 1.
   std::size_t dimensions = 0;
 };
 
-/// The spline on `breaks` of least weighted squared distance to the points (banded normal equations, Cholesky). Bends
-/// of the control polygon are damped by `ridge` times the mean weight, so that spans without points run straight.
+/// The spline on `breaks` with the least weighted squared distance to the points (banded normal equations, Cholesky).
+/// Bends of the control polygon are damped by `ridge` times the mean weight, so that spans without points are straight.
 CubicSpline fitSpline(const SplineData& data, std::vector<double> breaks, double ridge = 1e-9);
 
 }  // namespace hapticell::trajectory

@@ -8,11 +8,11 @@
 
 namespace hapticell::trajectory {
 
-/// One quantity of a motion over time, with its derivatives: what a curve shows.
+/// One quantity of a motion over time, with its derivatives, as a chart shows it.
 struct MotionCurve {
   std::string name;  ///< "x", "angle", a joint's.
   enum class Unit { kMetres, kRadians } unit = Unit::kMetres;
-  /// Value and its first three time derivatives, one entry a sample.
+  /// Value and its first three time derivatives, one entry per sample.
   std::vector<double> value, speed, acceleration, jerk;
 };
 
@@ -20,16 +20,16 @@ struct MotionCurve {
 struct MotionCurves {
   double begin = 0.0, step = 0.0;  ///< s
   std::size_t samples = 0;
-  std::vector<MotionCurve> cartesian;  ///< x, y, z (m), turn about x, y, z since the beginning (rad).
+  std::vector<MotionCurve> cartesian;  ///< x, y, z (m), rotation about x, y, z since the start (rad).
   std::vector<MotionCurve> joints;
-  MotionCurve path;  ///< Length of the path so far, m; its speed is that along the path.
+  MotionCurve path;  ///< Path length so far, m; its first derivative is the speed along the path.
   double timeOf(std::size_t i) const { return begin + step * static_cast<double>(i); }
 };
 
-/// At most `most` samples (four a frame, at least 240 where `most` allows), values from the
-/// motion between frames as poseAt() has it. Derivatives are those of the cubic that fits the samples about each best
-/// (Savitzky & Golay, Analytical Chemistry 36(8), 1964; window of 9), so that a recording's jerk is readable and not
-/// noise alone; the third one at full rate is rmsJerk()'s. Fewer than two frames give no samples.
+/// At most `most` samples (four per frame, at least 240 where `most` allows it), with values between frames as from
+/// poseAt(). The derivatives are those of the cubic that best fits the samples around each one (Savitzky & Golay,
+/// Analytical Chemistry 36(8), 1964; window of 9), so that the jerk of a recording is readable and not only noise; the
+/// third derivative at full rate is rmsJerk(). Fewer than two frames give no samples.
 MotionCurves motionCurves(const Trajectory& trajectory, std::size_t most = 2000);
 
 /// The largest absolute value of each order of a curve.

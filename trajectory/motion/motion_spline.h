@@ -18,7 +18,7 @@ class MotionSpline {
 
   Pose pose(double u) const;
   std::vector<double> joints(double u) const;
-  /// Third derivative of the position, per unit of u cubed.
+  /// Third derivative of the position by u.
   dvec3 jerk(double u) const;
   const CubicSpline& spline() const { return spline_; }
 
@@ -26,23 +26,25 @@ class MotionSpline {
   CubicSpline spline_;
 };
 
-/// What a fit must keep to.
+/// Conditions that a fit must meet.
 struct FitDemand {
   PathTolerance tolerance;             ///< Largest deviation at any frame.
   double joint_tolerance = 0.0174533;  ///< rad (m for slides), at any frame.
-  /// Largest deviation (m, rad) of the frames' running mean over `mean_window` (in units of u): what a fit with too few
-  /// spans leaves is no noise, it leans to one side. Infinity: not asked for.
+  /// Largest deviation (m, rad) of the running mean of the frames over `mean_window` (in units of u). A fit with too
+  /// few spans leaves a deviation with a bias to one side, which noise does not have. Infinity: not required.
   double mean_position = 1e300;
   double mean_angle = 1e300;
   double mean_window = 0.0;
-  double first_span = 1.0;  ///< Spans begin with this length in u and are halved where needed.
+  double first_span = 1.0;  ///< Initial length of the spans in u; spans are halved where needed.
 };
 
-/// Spans are halved until the demand holds or a span has no more than two frames. Ends are met exactly (to 1e-6 of the
-/// tolerance), frames set by hand closely. @pre trajectory.size() == u.size() >= 2, u increasing.
+/// Spans are halved until the condition holds or a span has at most two frames. Both ends are met exactly (to 1e-6 of
+/// the tolerance), frames set by hand closely.
+/// @pre trajectory.size() == u.size() >= 2, u increasing.
 MotionSpline fitMotion(const Trajectory& trajectory, std::span<const double> u, const FitDemand& demand);
 
-/// The spline with a span from frame to frame, which passes every frame (to rounding) and bends as little as it may.
+/// The spline with one span between each two frames, which passes through every frame (to rounding) with the least
+/// bending.
 /// @pre as fitMotion()
 MotionSpline splineThrough(const Trajectory& trajectory, std::span<const double> u);
 

@@ -6,15 +6,15 @@
 
 namespace hapticell::trajectory {
 
-/// State of playing one or more motions on one clock: time, direction of steps, speed, loop. It has no clock: the
-/// caller passes the elapsed time. A value.
+/// State of playing one or more motions on one clock: time, direction, speed, loop. It has no clock: the caller passes
+/// the elapsed time. A value.
 class Playback {
  public:
-  /// Times (s, increasing) at which the motions have frames, all in one list; the play runs from the first to the last.
-  /// The time is kept where it is still inside.
+  /// Times (s, increasing) at which the motions have frames, merged into one list; playing runs from the first to the
+  /// last. The present time is kept if it is still inside.
   void setFrames(std::vector<double> times);
-  /// Times (s) that no step of the play passes over: it stops there for a picture and makes the time up afterwards. So
-  /// what lasts less than a picture (a touch) is seen.
+  /// Times (s) at which playing must stop for one picture, so that events shorter than a picture (a touch) are seen.
+  /// The delay is made up afterwards.
   void setStops(std::vector<double> times);
 
   double time() const { return time_; }
@@ -24,17 +24,18 @@ class Playback {
   bool loops() const { return loops_; }
   double speed() const { return speed_; }
 
-  /// Starts; if it is at the end, it starts from the beginning. Does nothing without frames.
+  /// Starts; at the end, starts from the beginning. Does nothing without frames.
   void play();
   void pause() { playing_ = false; }
-  /// Goes there (clamped), playing on if it played.
+  /// Jumps to this time (clamped); continues to play if it was playing.
   void seek(double time);
-  /// To the next frame (of any motion) after the time, or the one before; stops the play.
+  /// Jumps to the next or previous frame of any motion; stops playing.
   void step(int direction);
-  /// Factor of the recorded time, above 0 (smaller ones are taken as 0.01).
+  /// Factor of the recorded speed, above 0 (values below 0.01 are taken as 0.01).
   void setSpeed(double speed);
   void setLoop(bool on) { loops_ = on; }
-  /// Advances by `seconds` of the user's time. Returns true if something changed; at the end it stops, or starts again.
+  /// Advances by `seconds` of the user's time. Returns true if something changed. At the end it stops or, in a loop,
+  /// starts again.
   bool advance(double seconds);
 
  private:
@@ -42,7 +43,7 @@ class Playback {
   double stopBetween(double from, double to) const;
   std::vector<double> frames_, stops_;
   double time_ = 0.0, speed_ = 1.0;
-  double owed_ = 0.0;  ///< s of the user's time that a stop has cost, at most one step's.
+  double owed_ = 0.0;  ///< s of the user's time lost by a stop, at most one step.
   bool playing_ = false, loops_ = false;
 };
 

@@ -14,24 +14,25 @@
 namespace hapticell::trajectory {
 
 /// A recorded or processed motion of one entity: frames in time, each with the pose of the moved frame and, for a
-/// robot, its joints. A value; recordings are kept as they are and edited as copies.
+/// robot, its joints. A value; recordings are kept unchanged and edited as copies.
 ///
-/// Times increase strictly (addFrame sees to it). Joints lie in one block so that hours of frames fit in memory.
+/// Times increase strictly (addFrame enforces it). Joints are stored in one block so that hours of frames fit in
+/// memory.
 class Trajectory {
  public:
   std::string name;
-  std::string entity;  ///< Whose motion it is; may be empty.
+  std::string entity;  ///< The entity that moves; may be empty.
   std::string moved;   ///< "tcp", "base", "self_origin", ... as it was recorded; may be empty.
-  /// What was recorded together with it, on the same clock, has the same take; empty: by itself.
+  /// Motions recorded together, on the same clock, have the same take; empty: recorded alone.
   std::string take;
   std::vector<std::string> joint_names;  ///< Empty for a solid. Fixed before the first frame.
-  /// False: only the joints are known (a JointTrajectory of ROS). All poses are identity then and mean nothing, until a
-  /// robot's forward kinematics gives them (manipulation/robot_poses.h).
+  /// False: only the joints are known (a JointTrajectory of ROS). All poses are then identity and have no meaning,
+  /// until forward kinematics of the robot sets them (manipulation/robot_poses.h).
   bool has_poses = true;
-  /// Further numbers of each frame, of isChannel()'s names: forces, contacts, the configuration. Fixed before the first
-  /// frame. They belong to a recording; copies whose frames are others have none.
+  /// Further numbers for each frame, with names that isChannel() accepts: forces, contacts, the configuration. Fixed
+  /// before the first frame. They belong to a recording; copies with other frames have none.
   std::vector<std::string> channel_names;
-  /// What was touched meanwhile, by time of coming; like the channels of recordings only.
+  /// Contacts during the recording, ordered by start; like channels, only recordings have them.
   struct Touch {
     double t_in = 0.0, t_out = 0.0;  ///< s
     std::string first, second;       ///< "robot/link_3", "fixture"
@@ -42,17 +43,19 @@ class Trajectory {
 
   struct Frame {
     double t = 0.0;  ///< Seconds.
-    Pose X_WT;       ///< The moved frame in the world (or in what the file says).
-    /// Set by hand: kept by simplifying and met closely by smoothing.
+    Pose X_WT;       ///< The pose of the moved frame in the world (or in the frame that the file states).
+    /// Set by hand: kept by simplification and followed closely by smoothing.
     bool by_hand = false;
-    double dwell = 0.0;  ///< Seconds that a program waits here.
-    /// What users call the point, "above the clamp"; null: nothing. Shared, so that hours of frames stay small.
+    double dwell = 0.0;  ///< Dwell of a program here, s.
+    /// The user's name of the point, such as "above the clamp"; null: no name. Shared, so that hours of frames stay
+    /// small.
     std::shared_ptr<const std::string> name = nullptr;
-    /// Pose and joints were made each by itself (between frames, without the robot): the joints need not bring the tool
-    /// to the pose. Forward or inverse kinematics clears it.
+    /// Pose and joints were computed separately (between frames, without the robot): the joints need not give this
+    /// pose. Forward or inverse kinematics clears it.
     bool is_pose_apart = false;
 
-    /// A point that somebody set, not a sample: by hand, with a wait or with a name. Edits that choose frames keep it.
+    /// A point that a person set, not a sample: set by hand, with a dwell or with a name. Edits that choose frames keep
+    /// it.
     bool isSet() const { return by_hand || dwell > 0.0 || name; }
     std::string nameText() const { return name ? *name : std::string(); }
   };
@@ -66,24 +69,25 @@ class Trajectory {
   /// Index of a channel by name; empty if it does not exist.
   std::optional<std::size_t> findChannel(std::string_view channel) const;
   bool hasJoints() const { return !joint_names.empty(); }
-  /// True if all frames are waypoints: a program rather than a recording. False without frames.
+  /// True if all frames are waypoints: a program and not a recording. False without frames.
   bool isTaught() const;
   /// From the first frame to the last, seconds.
   double duration() const { return empty() ? 0.0 : frames_.back().t - frames_.front().t; }
 
-  /// Adds a frame at the end. Returns false, and adds nothing, when its time is not after the last one's.
-  /// @pre joints.size() == joint_names.size(); channels likewise, none at all mean zeros.
+  /// Adds a frame at the end. Returns false, and adds nothing, if its time is not after the last one.
+  /// @pre joints.size() == joint_names.size(); channels likewise, or none (all zero).
   bool addFrame(const Frame& frame, std::span<const double> joints = {}, std::span<const double> channels = {});
-  /// Another pose and other joints at the same time. @pre as addFrame()
+  /// Replaces pose and joints at the same time.
+  /// @pre as addFrame()
   void replaceFrame(std::size_t i, const Pose& X_WT, bool is_pose_apart, std::span<const double> joints);
   void reserve(std::size_t frames);
 
-  /// A trajectory of the same entity, take and joints without frames, channels and touches.
+  /// An empty trajectory of the same entity, take and joints, without channels and touches.
   Trajectory emptyCopy() const;
-  /// The same with the channels, for copies that keep frames as they are.
+  /// The same with the channels, for copies that keep frames unchanged.
   Trajectory emptyRecording() const;
 
-  /// Pose and joints at time t (clamped to the ends): positions straight, rotations about a fixed axis, joints straight
+  /// Pose and joints at time t (clamped to the ends): positions on a line, rotations about a fixed axis, joints linear
   /// between frames.
   Pose poseAt(double t) const;
   std::vector<double> jointsAt(double t) const;
@@ -100,25 +104,25 @@ class Trajectory {
   std::vector<double> channels_;
 };
 
-/// Names that channels may have: force_x, force_y, force_z (N on the hand, in the cell's axes), contact (0 or 1),
-/// configuration (which branch of a six-axis arm: 1 back, 2 elbow down, 4 wrist flipped, added).
+/// Names that channels may have: force_x, force_y, force_z (N on the hand, in the axes of the cell), contact (0 or 1),
+/// configuration (branch of a six-axis arm, sum of: 1 back, 2 elbow down, 4 wrist flipped).
 bool isChannel(std::string_view name);
 
-/// How far two poses are apart.
+/// The distance between two poses.
 struct PoseDistance {
   double position = 0.0;  ///< m
   double angle = 0.0;     ///< rad
 };
 PoseDistance distanceBetween(const Pose& a, const Pose& b);
 
-/// What a deviation may be.
+/// The allowed deviation.
 struct PathTolerance {
   double position = 0.001;              ///< m
   double angle = 0.017453292519943295;  ///< rad
-  /// Of each joint, rad (m for slides): a milliradian moves a tool a metre away by a millimetre. Infinite: joints do
-  /// not count.
+  /// Of each joint, rad (m for slides): one milliradian moves a tool at a distance of one metre by one millimetre.
+  /// Infinite: joints do not count.
   double joint = 0.001;
-  /// The larger of both shares; over 1 is out of tolerance.
+  /// The larger of both shares; above 1 is out of tolerance.
   double shareOf(const PoseDistance& distance) const;
 };
 

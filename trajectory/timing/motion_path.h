@@ -6,28 +6,28 @@
 #include <vector>
 
 #include "trajectory/motion/motion_spline.h"
-#include "trajectory/timing/time_optimal.h"
 #include "trajectory/motion/trajectory.h"
+#include "trajectory/timing/time_optimal.h"
 
 namespace hapticell::trajectory {
 
-/// A way through given frames, over the way run: what is timed and what is written are the same curve. Limits are on
-/// the joints, or on the position and the angular velocity about x, y, z of the world.
+/// A curve through given frames, by path length: the same curve is timed and written. The limits apply to the joints,
+/// or to the position and the angular velocity about x, y, z of the world.
 class MotionPath : public LimitedPath {
  public:
   virtual Pose pose(double u) const = 0;
   virtual std::vector<double> joints(double u) const = 0;
-  /// Along it all limited coordinates change in proportion to u.
+  /// All limited coordinates change in proportion to u along the path.
   virtual bool isStraight() const { return false; }
-  /// It has corners that are rounded off within the tolerance: its bend and the change of that are great there.
+  /// The path has corners that are rounded within the tolerance: its curvature and the change of it are large there.
   virtual bool isRounded() const { return false; }
 };
 
-/// What limits are on.
+/// The coordinates that limits apply to.
 enum class LimitedBy { kJoints, kPose };
 
-/// The straight way from the first frame to the last: origin on a line, rotation about a fixed axis (more than half a
-/// turn where the frames between go so), joints in proportion.
+/// The straight path from the first frame to the last: origin on a line, rotation about a fixed axis (more than half a
+/// turn if the frames between require it), joints in proportion.
 class StraightPath : public MotionPath {
  public:
   StraightPath(const Trajectory& frames, double length, LimitedBy by);
@@ -41,7 +41,7 @@ class StraightPath : public MotionPath {
 
  private:
   std::vector<double> breaks_, first_;
-  Pose X_WT_;  ///< At its begin.
+  Pose X_WT_;  ///< At its start.
   dvec3 way_{0.0}, turn_{0.0};
   std::vector<double> start_, change_;  ///< Of the joints.
 };
@@ -65,20 +65,20 @@ class CurvedPath : public MotionPath {
   bool rounded_;
 };
 
-/// The rotation from frame to frame, added up: rotation vectors in the world that do not leap at half a turn.
+/// The rotation from frame to frame, summed: rotation vectors in the world without a jump at half a turn.
 std::vector<dvec3> runningTurns(const Trajectory& frames);
 
-/// A path that passes every frame within `tolerance`: straight where the frames are; else a spline of few spans, or
-/// one with a span from frame to frame, where it passes the frames and stays by the straight ways between them (8 % of
-/// their length, 1 mm or 0.25 degrees at most); else the frames' own straight ways with their corners rounded off
-/// within the tolerance (Schoenberg's variation diminishing spline; de Boor, A Practical Guide to Splines, chapter XI).
-/// `ways`: increasing, the way run at each frame.
+/// A path that passes every frame within `tolerance`: straight if the frames are; otherwise a spline with few spans, or
+/// one span between each two frames, if it passes through the frames and stays close to the straight segments between
+/// them (8 % of their length, at most 1 mm or 0.25 degrees); otherwise the straight segments of the frames with corners
+/// rounded within the tolerance (Schoenberg's variation diminishing spline; de Boor, A Practical Guide to Splines,
+/// chapter XI). `ways`: increasing, the path length at each frame.
 /// @pre frames.size() == ways.size() >= 2
 std::unique_ptr<MotionPath> pathThrough(const Trajectory& frames, std::span<const double> ways,
                                         const PathTolerance& tolerance, LimitedBy by);
 
-/// Indices of inner frames at which the path turns so sharply (by more than `angle`, rad, seen at the scale of forty
-/// tolerances) that it is passed best by resting there.
+/// Indices of inner frames where the path turns so sharply (by more than `angle`, rad, seen at the scale of forty
+/// tolerances) that stopping there is the fastest way to pass.
 std::vector<std::size_t> cornersOf(const Trajectory& frames, const PathTolerance& tolerance, LimitedBy by,
                                    double angle);
 

@@ -14,18 +14,18 @@ class StraightTiming {
   StraightTiming(double way, double speed, double acceleration, double jerk = std::numeric_limits<double>::infinity());
 
   double duration() const { return 2.0 * gain_time_ + cruise_time_; }
-  /// Way run at a time, clamped to the ends.
+  /// Path length at a time, clamped to the ends.
   double at(double t) const;
 
  private:
-  /// Way run while speed is gained, `t` after rest.
+  /// Path length during acceleration, `t` after rest.
   double gained(double t) const;
 
   double way_, jerk_;
-  double speed_ = 0.0;         ///< That is reached.
-  double acceleration_ = 0.0;  ///< Likewise.
-  double jerk_time_ = 0.0;     ///< The acceleration grows, and falls again, for so long.
-  double gain_time_ = 0.0;     ///< From rest to speed_.
+  double speed_ = 0.0;         ///< The greatest speed reached.
+  double acceleration_ = 0.0;  ///< The greatest acceleration reached.
+  double jerk_time_ = 0.0;     ///< Duration for which the acceleration grows, and later falls.
+  double gain_time_ = 0.0;     ///< Duration from rest to speed_.
   double cruise_time_ = 0.0;
 };
 

@@ -13,7 +13,7 @@ namespace hapticell::trajectory {
 struct MotionLimits {
   std::vector<double> velocity;
   std::vector<double> acceleration;
-  /// Per second cubed; empty: jerk is free.
+  /// Per second cubed; empty: no jerk limit.
   std::vector<double> jerk;
 };
 
@@ -43,17 +43,17 @@ class LimitedSpline : public LimitedPath {
   const CubicSpline& spline_;
 };
 
-/// Where on a path a motion is at each time: s with constant acceleration between grid points; or the mean of that over
-/// a window of time, which bounds the jerk: then the acceleration is steady and the motion takes the window longer.
+/// The place on a path at each time: s with constant acceleration between grid points; or the mean of that over a time
+/// window, which bounds the jerk: the acceleration is then continuous and the motion takes longer by the window.
 class PathTiming {
  public:
   PathTiming() = default;
   /// `s` strictly increasing, `speed` = ds/dt at each, not both zero at neighbours.
   PathTiming(std::vector<double> s, std::vector<double> speed);
 
-  /// The same averaged over `window` seconds, as far as it is not already.
+  /// The same, averaged over `window` seconds, if it is not already.
   PathTiming averaged(double window) const;
-  /// The same, everything `factor` times as slow.
+  /// The same, slower by `factor`.
   PathTiming stretched(double factor) const;
 
   double duration() const { return t_.empty() ? 0.0 : stretch_ * (t_.back() + window_); }
@@ -64,7 +64,8 @@ class PathTiming {
 
  private:
   State plainAt(double t) const;
-  /// Integral of s from the start on, by time. Longer than a double: a window is the small difference of two.
+  /// Integral of s over time from the start. Longer than a double, because a window is a small difference of two such
+  /// values.
   long double integralTo(double t) const;
 
   std::vector<double> s_, speed_, t_;
@@ -78,34 +79,34 @@ struct TimingOptions {
 };
 
 /// The fastest motion along the path within the limits on velocity and acceleration: reachability analysis over the
-/// grid, backwards for the speeds from which the end can be met, then forwards as fast as they allow (Pham & Pham, "A
+/// grid, backward for the speeds from which the end can be reached, then forward as fast as they allow (Pham & Pham, "A
 /// new approach to time-optimal path parameterization based on reachability analysis", IEEE T-RO 34(3), 2018).
-/// Acceleration is bounded at both ends of each grid step. Errors: a path of no length, limits that are not positive, a
-/// start or end speed that no motion can have.
+/// Acceleration is bounded at both ends of each grid step. Errors: a path without length, limits that are not positive,
+/// a start or end speed that no motion can have.
 Expected<PathTiming> timeOptimal(const LimitedPath& path, const MotionLimits& limits,
                                  const TimingOptions& options = {});
 Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits,
                                  const TimingOptions& options = {});
 
-/// The same slowed so that the jerk keeps its limits as well, however small they are: the way by time is averaged over
-/// a window and the whole stretched until every limit holds; of windows and of lower speeds the shortest result is
-/// taken. Near the optimum, not on it (StraightTiming is, for a straight path). From rest to rest.
+/// The same, slowed so that the jerk limits hold as well, however small they are: the motion is averaged over a time
+/// window and stretched until every limit holds; of several windows and speeds the shortest result is taken. Near the
+/// optimum, not optimal (StraightTiming is, for a straight path). From rest to rest.
 Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& limits,
                                  const TimingOptions& options = {});
 Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& limits,
                                  const TimingOptions& options = {});
 
-/// Largest share of each limit that the motion uses, by sampling (1 is the limit).
+/// The largest share of each limit that the motion uses, by sampling (1 is the limit).
 struct LimitUse {
   double velocity = 0.0, acceleration = 0.0, jerk = 0.0;
 };
 LimitUse limitUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt);
 
-/// The errors that timings have for limits: a velocity, an acceleration and, where there is any, a jerk for each
-/// dimension, all positive.
+/// The common checks of limits: a positive velocity and acceleration and, optionally, a positive jerk for each
+/// dimension. Errors: one is missing or not positive.
 Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits);
 
-/// How much slower everything must go so that all limits hold; at least 1.
+/// The factor by which the motion must be slowed so that all limits hold; at least 1.
 double stretchFor(const LimitUse& use);
 
 }  // namespace hapticell::trajectory

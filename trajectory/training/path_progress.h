@@ -8,29 +8,31 @@
 
 namespace hapticell::trajectory {
 
-/// How far along an expert's motion a trainee is. Follows the trainee on and back, but only as far as a hand moves
-/// between two looks, so that a path that crosses itself or comes back (a peg in and out of its hole) is not mistaken.
+/// A trainee's progress along an expert's motion. Follows the trainee forward and back, but only as far as a hand can
+/// move between two calls, so that a path that crosses itself or returns (a peg in and out of its hole) is followed
+/// correctly.
 class PathProgress {
  public:
   PathProgress() = default;
-  /// Places closer than 0.1 mm and 0.1 deg are one; turning counts `metres_per_radian` of way.
+  /// Places closer than 0.1 mm and 0.1 deg count as one; rotation is converted to length by `metres_per_radian`.
   /// @pre at least one frame
   explicit PathProgress(const Trajectory& expert, double metres_per_radian = 0.1);
 
-  /// The whole way, m (turning included); 0 without motion.
+  /// The total length, m (rotation included); 0 without motion.
   double length() const { return ways_.empty() ? 0.0 : ways_.back(); }
   double way() const { return way_; }
   double share() const { return length() > 0.0 ? way_ / length() : 1.0; }
   void restart() { way_ = 0.0; }
 
-  /// Takes the trainee's pose; looks for the nearest place at most `reach` (m of way) from where it was.
+  /// Takes the trainee's pose and searches for the nearest place within `reach` (m of path length) of the last one.
   void follow(const Pose& X_WT, double reach = 0.03);
-  /// How far the pose is from the expert's at the place where it is.
+  /// The deviation of the pose from the expert's pose at the present place.
   PoseDistance deviation(const Pose& X_WT) const { return distanceBetween(expertAt(way_), X_WT); }
-  /// The expert's pose and time at a place of the way.
+  /// The expert's pose and time at a place on the path.
   Pose expertAt(double way) const;
   double timeAt(double way) const;
-  /// The path's points from `behind` (m of way) before the trainee to `ahead` of it: what a guide shows and feels.
+  /// The points of the path from `behind` (m of path length) behind the trainee to `ahead` in front: the part that a
+  /// guide shows and makes felt.
   std::vector<dvec3> window(double behind, double ahead) const;
 
  private:

@@ -11,51 +11,51 @@
 
 namespace hapticell::trajectory {
 
-/// A trainee's run compared with the expert's.
+/// A trainee's run compared with the expert's motion.
 struct TrainingScore {
-  double completed = 0.0;                            ///< Share of the expert's way that was gone, 0 .. 1.
+  double completed = 0.0;                            ///< Share of the expert's path that was completed, 0 .. 1.
   double time = 0.0, expert_time = 0.0;              ///< s
   double mean_deviation = 0.0, max_deviation = 0.0;  ///< m from the expert's path.
   double mean_turn = 0.0;                            ///< rad
   double mean_force = 0.0, max_force = 0.0;          ///< N on the hand; 0 where none was recorded.
-  /// Logarithm of the dimensionless jerk of the hand's way (N. Hogan, D. Sternad, "Sensitivity of smoothness measures
-  /// to movement duration, amplitude, and arrests", J. Motor Behavior 41(6), 2009): about -7 for one smooth reach, the
-  /// less the rougher.
+  /// Logarithm of the dimensionless jerk of the hand's motion (N. Hogan, D. Sternad, "Sensitivity of smoothness
+  /// measures to movement duration, amplitude, and arrests", J. Motor Behavior 41(6), 2009): about -7 for one smooth
+  /// reach, lower if the motion is less smooth.
   double smoothness = 0.0, expert_smoothness = 0.0;
-  int contacts = 0;           ///< Touches of anything.
+  int contacts = 0;           ///< Number of contacts.
   double contact_time = 0.0;  ///< s
-  /// 0 to 100: of way gone, time, deviation, force, smoothness and contacts, each against the expert's own; 100 is as
-  /// good as the expert.
+  /// 0 to 100, from path completed, time, deviation, force, smoothness and contacts, each relative to the expert's; 100
+  /// is as good as the expert.
   double points = 0.0;
 };
 
-/// What the points are made of; weights need not add up to anything. A part with weight 0 does not count.
+/// The parts of the score; weights need not add up to 1. A part with weight 0 does not count.
 struct ScoringRule {
-  double deviation = 0.02;  ///< m of mean deviation that cost all points of it.
-  double force = 5.0;       ///< N above the expert's greatest that cost all.
-  double slowness = 3.0;    ///< Times the expert's time that cost all.
-  double smoothness = 6.0;  ///< Below the expert's that cost all.
-  int contacts = 5;         ///< More than the expert's that cost all.
+  double deviation = 0.02;  ///< m of mean deviation at which all points of this part are lost.
+  double force = 5.0;       ///< N above the expert's greatest force at which all are lost.
+  double slowness = 3.0;    ///< Times the expert's time at which all are lost.
+  double smoothness = 6.0;  ///< Difference from the expert's value at which all are lost.
+  int contacts = 5;         ///< Contacts more than the expert's at which all are lost.
   double weight_time = 1.0, weight_deviation = 2.0, weight_force = 1.0, weight_smoothness = 1.0, weight_contacts = 1.0;
 };
 
-/// Scores a run against the expert's motion of the same moved frame. A run that went nowhere has no points.
+/// Scores a run against the expert's motion of the same moved frame. A run without motion has 0 points.
 /// @pre the expert has frames
 TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const ScoringRule& rule = {});
 
-/// Help of the next run (0 .. 1): a fifth less after a success (points of at least `pass`, whole way gone), a tenth
-/// more after two failures in a row, else the same.
+/// Guidance for the next run (0 .. 1): a fifth less after a success (at least `pass` points, whole path completed), a
+/// tenth more after two failures in a row, otherwise unchanged.
 double nextHelp(double help, bool success, bool failed_before);
 
-/// What a run is to show. Only practice is led; points of led runs are no proof that something was learned.
+/// The purpose of a run. Only practice is guided; points of guided runs do not prove that something was learned.
 enum class RunKind {
-  kPractice,   ///< With as much help as the runs before it ask for.
+  kPractice,   ///< With the guidance that the runs before call for.
   kRetention,  ///< Without guidance, some time after the practice.
   kTransfer    ///< Without guidance, at an exercise that was not practised.
 };
-/// "practice", "retention", "transfer": as the files have it.
+/// "practice", "retention", "transfer", as in the files.
 const char* wordOf(RunKind kind);
-/// The other way round; nothing: no such kind.
+/// The reverse; empty: no such kind.
 std::optional<RunKind> parseRunKind(const std::string& word);
 
 /// One run of a trainee.
@@ -65,25 +65,25 @@ struct TrainingAttempt {
   bool success = false;
   TrainingScore score;
   RunKind kind = RunKind::kPractice;
-  std::string recording = {};  ///< File of the run, relative to that of the results; empty: not kept.
+  std::string recording = {};  ///< File of the run, relative to the results file; empty: not kept.
 };
 
-/// All runs of one trainee at one exercise: a file of its own (*.htrain, JSON).
+/// All runs of one trainee at one exercise, in a file of its own (*.htrain, JSON).
 struct TrainingSession {
   std::string trainee, exercise;
   std::vector<TrainingAttempt> attempts;
-  /// What the next practice begins with: 1 for the first. Runs without guidance change nothing of it.
+  /// Guidance at the start of the next practice: 1 for the first. Runs without guidance do not change it.
   double nextHelp() const;
   std::size_t count(RunKind kind) const;
-  /// Seconds from the newest practice before this date (ISO 8601) to it; nothing: none before it, or no date that can
-  /// be read. Dates without a zone are compared unchanged.
+  /// Seconds from the newest practice before this date (ISO 8601) to the date; empty: no practice before it, or a date
+  /// that cannot be read. Dates without a zone are compared unchanged.
   std::optional<double> restBefore(const std::string& date) const;
 };
 
 /// Errors name file and attempt; a newer version is refused.
 Expected<TrainingSession> readTraining(const std::filesystem::path& file);
 std::string toJsonText(const TrainingSession& session);
-/// One line an attempt, header with units; kind and rest_s (s since the practice before it) come last.
+/// One line per attempt, header with units; kind and rest_s (s since the practice before it) come last.
 std::string toCsvText(const TrainingSession& session);
 
 }  // namespace hapticell::trajectory

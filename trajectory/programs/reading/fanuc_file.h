@@ -10,7 +10,7 @@
 
 namespace hapticell::trajectory {
 
-/// A position of /POS: of group 1.
+/// A position in /POS, of group 1.
 struct FanucPosition {
   std::size_t line = 0;
   std::optional<Pose> X;
@@ -22,13 +22,13 @@ struct FanucPosition {
 
 struct FanucLine {
   std::size_t line = 0;
-  std::string text;  ///< Upper case, blanks gone but inside of texts.
+  std::string text;  ///< Upper case, without blanks except inside texts.
 };
 
-/// Content of an LS file: its parts /PROG, /MN and /POS.
+/// Content of an LS file: its sections /PROG, /MN and /POS.
 struct FanucFile {
   std::string name;
-  std::vector<FanucLine> lines;  ///< Without remarks; a statement that continues over several lines counts as one.
+  std::vector<FanucLine> lines;  ///< Without remarks; a statement over several lines counts as one.
   std::map<int, FanucPosition> positions;
 };
 

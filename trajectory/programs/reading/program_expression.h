@@ -24,18 +24,20 @@ struct AccessStep {
   bool is_known = true;
 };
 
-/// What words in expressions mean: given by the language.
+/// The meaning of names in expressions, defined by the language.
 struct ExpressionMeaning {
-  /// A variable's value; null where the file gives none (then `variable` is asked). It stays while an expression is
-  /// read.
+  /// A variable's value; null if the file gives none (then `variable` is called). It must stay valid while an
+  /// expression is read.
   std::function<const Value*(const std::string& name)> find;
-  std::function<Value(const std::string& name)> variable;  ///< A word of the language, or why it is unknown.
+  /// A built-in name of the language, or the reason why it is unknown.
+  std::function<Value(const std::string& name)> variable;
   std::function<Value(const std::string& name, const std::vector<Argument>& arguments)> call;
-  std::function<Value(const Value& whole, const std::string& field)> field;  ///< Of what is no record.
-  std::function<Value(const Value& a, const Value& b)> compose;              ///< KRL's ':'; may be empty.
+  /// A field of a value that is not a record.
+  std::function<Value(const Value& whole, const std::string& field)> field;
+  std::function<Value(const Value& a, const Value& b)> compose;  ///< KRL's ':'; may be empty.
 };
 
-/// Reads expressions of KRL, RAPID and URScript from tokens and works out their value at once.
+/// Reads expressions of KRL, RAPID and URScript from tokens and evaluates them immediately.
 ///
 /// Stops before the first token that cannot belong to the expression. Invalid expressions give an unknown value.
 class ExpressionReader {
@@ -44,11 +46,11 @@ class ExpressionReader {
       : tokens_(tokens), at_(at), dialect_(dialect), meaning_(meaning) {}
 
   Value expression();
-  /// KRL's place of a target: no comparison or sum, so that what follows a target is not taken into it.
+  /// The target of a KRL motion: without comparison and sum, so that what follows the target is not read as part of it.
   Value term() { return composed(); }
   /// "name", "name.field", "name[2].x": for assignments. An empty name if there is no path.
   std::string path(std::vector<AccessStep>& steps);
-  /// Arguments up to a closing bracket (which is taken) or the end of the statement.
+  /// Arguments up to a closing bracket (which is consumed) or the end of the statement.
   std::vector<Argument> arguments();
 
   std::size_t at() const { return at_; }
@@ -57,7 +59,7 @@ class ExpressionReader {
   bool take(std::string_view sign);
 
  private:
-  /// Operands with one of the signs between them, from left to right: a - b + c.
+  /// Operands joined by one of the operators, from left to right: a - b + c.
   Value chain(Value (ExpressionReader::*operand)(), std::initializer_list<const char*> signs);
   Value either();
   Value both();

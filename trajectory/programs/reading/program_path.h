@@ -12,9 +12,9 @@
 
 namespace hapticell::trajectory {
 
-/// Collects the targets of a program that is being read and makes a trajectory of them.
+/// Collects the targets of a program while it is read and makes a trajectory of them.
 ///
-/// After the first error nothing more is taken. Poses are given in the program's present frame F (setFrame()).
+/// After the first error nothing more is added. Poses are given in the present frame F of the program (setFrame()).
 class ProgramPath {
  public:
   using Joints = std::array<double, 6>;  ///< rad
@@ -23,28 +23,28 @@ class ProgramPath {
 
   void setLinearSpeed(double meters_per_second);
   void setAngularSpeed(double radians_per_second);
-  void setJointShare(double share);  ///< Of the robot's greatest, 0 to 1.
-  /// The frame that the next targets are given in, in the robot's base. Nothing: the file does not say where `name` is.
+  void setJointShare(double share);  ///< As a share of the robot's greatest speed, 0 to 1.
+  /// The frame of the following targets, in the robot's base. Empty: the file does not give the pose of `name`.
   void setFrame(const std::optional<Pose>& X_BF, const Text& name);
   const std::optional<Pose>& frame() const { return X_BF_; }
 
   void moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move);
-  /// Through `via` to `end`, by so many radians in all where `angle` is given (KRL's CA), else to `end`.
+  /// An arc through `via` to `end`, or, if `angle` is given (KRL's CA), along this circle for `angle` radians in all.
   void moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle = {});
   /// `pose` if the program gives it in addition to the joints.
   void moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose = {});
-  /// A target that the file does not give. At the begin or end it is left out with a note, in the middle it is an
+  /// A target that the file does not give. At the start or end it is left out with a note, in the middle it is an
   /// error.
   void missTarget(std::size_t line, const Text& why);
   void wait(double seconds);
 
-  /// Where the last target was, in the present frame; nothing where that is not known.
+  /// The last target in the present frame; empty if it is not known.
   std::optional<Pose> current() const;
   const std::optional<Joints>& currentJoints() const { return joints_; }
 
   void note(const Text& sentence);                        ///< Each sentence once.
   void noteLine(std::size_t line, const Text& sentence);  ///< "line 12: ..."; at most twenty.
-  void skip(std::size_t line);                            ///< A statement without motion that is not kept.
+  void skip(std::size_t line);                            ///< A statement without motion that is left out.
   void fail(std::size_t line, const Text& found, const Text& expected, const Text& fix);
   bool hasFailed() const { return error_.has_value(); }
 

@@ -7,7 +7,7 @@
 
 namespace hapticell::trajectory {
 
-/// The text of a program's files. Errors and notes of the readers name lines; the file is the caller's to add.
+/// The text of a program's files. Errors and notes of the readers name lines; the caller adds the file.
 struct ProgramText {
   std::string source;
   std::string data;       ///< KRL: the .dat beside it.
@@ -19,7 +19,7 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
 Expected<ReadProgram> readFanuc(const std::string& text, const ProgramReadOptions& options);
 Expected<ReadProgram> readUrScript(const std::string& text, const ProgramReadOptions& options);
 Expected<ReadProgram> readInform(const std::string& text, const ProgramReadOptions& options);
-/// The program `start` of a VAL3 application as this program writes it, to measure it: its database and code.
+/// Reads the program `start` of a VAL3 application as this program writes it, to measure it: its database and code.
 Expected<ReadProgram> readVal3(const std::string& data, const std::string& code);
 
 }  // namespace hapticell::trajectory

@@ -14,19 +14,19 @@ namespace hapticell::trajectory {
 struct Statement;
 using Block = std::vector<Statement>;
 
-/// One way of an IF or SWITCH, or the body of a loop.
+/// One branch of an IF or SWITCH, or the body of a loop.
 struct Branch {
-  std::vector<Tokens> conditions;  ///< Any of them; none: otherwise.
+  std::vector<Tokens> conditions;  ///< Any of them must hold; empty: the default branch.
   Block body;
 };
 
-/// A statement of a program as its language's parser gives it.
+/// A statement of a program as the parser of its language gives it.
 struct Statement {
   enum class Kind { kPlain, kIf, kSwitch, kWhile, kRepeat, kFor, kBreak, kReturn, kEnd };
   Kind kind = Kind::kPlain;
   std::size_t line = 0;
-  Tokens tokens;  ///< A plain one's; what a SWITCH asks; a FOR's variable.
-  /// Of a loop one, with its condition (none: for ever; REPEAT: until it holds). FOR: from, to, step.
+  Tokens tokens;  ///< Of a plain statement; the operand of a SWITCH; the variable of a FOR.
+  /// Of a loop: one branch with its condition (empty: endless; REPEAT: until it holds). FOR: from, to, step.
   std::vector<Branch> branches;
 };
 
@@ -37,11 +37,11 @@ struct Routine {
   Block body;
 };
 
-/// Runs a program as far as its files say what it does, and gives its moves to a ProgramPath.
+/// Runs a program as far as its files define it, and gives its moves to a ProgramPath.
 ///
-/// Derived classes give the language: what a plain statement does and which ones move. Variables are of one scope for
-/// the whole program, parameters of a routine are put back when it ends. Ends with an error after 500 000 statements,
-/// or those allowed.
+/// Derived classes define the language: what a plain statement does and which ones move. All variables have one scope
+/// for the whole program; parameters of a routine are restored when it ends. Ends with an error after 500 000
+/// statements, or those allowed.
 class ProgramRun {
  public:
   ProgramRun(const Dialect& dialect, ProgramPath& path);
@@ -51,7 +51,7 @@ class ProgramRun {
 
   enum class Flow { kNext, kBreak, kReturn, kEnd };
   Flow run(const Block& block);
-  /// So many statements more, for a program that has many.
+  /// Allows this many more statements, for a long program.
   void allowSteps(std::size_t statements) { most_steps_ += statements; }
 
  protected:
@@ -62,7 +62,7 @@ class ProgramRun {
   Flow call(const Routine& routine, const std::vector<Argument>& arguments, std::size_t line);
   bool hasMoves(const Block& block, int depth = 0) const;
   Value evaluate(const Tokens& tokens) const;
-  /// Assigns to "name.field[2]"; makes missing ones.
+  /// Assigns to "name.field[2]"; creates missing parts.
   void assign(const std::string& name, const std::vector<AccessStep>& steps, Value value);
   const Value* find(const std::string& name) const;
   /// The tokens of a statement unchanged, for messages.
@@ -86,7 +86,7 @@ class ProgramRun {
   bool isUndecided(const Statement& statement, const Value& condition);
 
   std::size_t steps_ = 0, most_steps_ = 500'000;
-  std::size_t undecided_ = 0;  // conditions so far that the file did not decide
+  std::size_t undecided_ = 0;  // conditions so far that the file does not determine
   int depth_ = 0;
 };
 

@@ -8,11 +8,11 @@
 
 namespace hapticell::trajectory {
 
-/// What the text of a robot's language looks like.
+/// The syntax of a robot language's text.
 struct Dialect {
   bool ignores_case = true;
   char comment = ';';
-  bool has_line_ends = true;      ///< A statement ends with its line (else with ';').
+  bool has_line_ends = true;      ///< A statement ends at the end of the line (otherwise with ';').
   bool has_equals_test = true;    ///< "==" compares and "=" assigns; else "=" compares and ":=" assigns.
   bool has_braces_index = false;  ///< a{1} instead of a[1].
   bool has_poses = false;         ///< p[...] is a pose.
@@ -23,7 +23,7 @@ struct Dialect {
 struct Token {
   enum class Kind { kWord, kNumber, kText, kSign, kLineEnd };
   Kind kind = Kind::kLineEnd;
-  std::string text;  ///< Words in lower case where the language ignores it; texts without their quotes.
+  std::string text;  ///< Words in lower case if the language ignores case; texts without quotes.
   double number = 0.0;
   std::size_t line = 0;  ///< From 1.
 
@@ -35,9 +35,9 @@ struct Token {
 
 using Tokens = std::vector<Token>;
 
-/// The tokens of a program; never fails: a sign that is no part of the language comes as a sign. Lines that begin with
-/// '&' (KRL) are left out. A comment "HaptiCell pose ..." is kept as the sign "@pose" and its tokens: it gives the pose
-/// that belongs to a move by joints, as this program's own exports write it.
+/// The tokens of a program; never fails: an unknown character becomes a sign token. Lines that begin with '&' (KRL) are
+/// skipped. A comment "HaptiCell pose ..." is kept as the sign "@pose" with its tokens: it gives the pose that belongs
+/// to a joint move, as this program's own exports write it.
 Tokens tokensOf(std::string_view text, const Dialect& dialect);
 
 }  // namespace hapticell::trajectory

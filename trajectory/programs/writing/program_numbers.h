@@ -9,7 +9,7 @@
 
 namespace hapticell::trajectory {
 
-/// How a language writes one kind of number: what it accepts, in its own unit, and with how many digits.
+/// How a language writes one kind of number: its range, its unit, and the number of digits.
 struct NumberRule {
   const char* unit;
   double scale;  ///< From SI to `unit`.
@@ -17,7 +17,7 @@ struct NumberRule {
   int decimals;
 };
 
-/// The rules of one language. Where it has no such number, `greatest` is 0.
+/// The rules of one language. If it has no such number, `greatest` is 0.
 struct ProgramNumbers {
   const char* language;     ///< "KUKA KRL"
   NumberRule speed;         ///< Of lines, from m/s.
@@ -27,19 +27,18 @@ struct ProgramNumbers {
   NumberRule dwell;         ///< From s.
 };
 
-/// Ranges as the makers' manuals give them; where those leave the upper end to the robot, a value that no robot
-/// reaches.
+/// Ranges as in the makers' manuals; if these leave the upper end to the robot, a value that no robot reaches.
 const ProgramNumbers& programNumbers(ProgramFormat format);
 
-/// Turns numbers into the language's text, and remembers what went wrong or was rounded.
+/// Converts numbers to the text of the language, and records errors and rounding.
 ///
-/// A number that the language cannot hold (it would become 0, or another one at the end of the range) is an error; the
-/// first one is kept. Rounding by more than 0.1 % is a note, once for each kind of number.
+/// A number that the language cannot represent (it would become 0, or the end of the range) is an error; the first one
+/// is kept. Rounding by more than 0.1 % is a note, once for each kind of number.
 class NumberWriter {
  public:
   explicit NumberWriter(const ProgramNumbers& numbers) : numbers_(numbers) {}
 
-  /// `value` in SI by `rule`; `name` is what users call it ("speed", "dwell of frame 3").
+  /// `value` in SI by `rule`; `name` is the user's word for it ("speed", "dwell of frame 3").
   std::string text(const NumberRule& rule, double value, const Text& kind, const Text& place = {});
 
   const std::optional<Error>& error() const { return error_; }

@@ -10,18 +10,19 @@
 
 namespace hapticell::trajectory {
 
-/// What all writers need, checked by exportProgram: at least one frame; six joints or none.
+/// Input of all writers, checked by exportProgram: at least one frame; six joints or none.
 struct ProgramInput {
   const Trajectory& trajectory;
   const ProgramOptions& options;
-  std::string name;            ///< Fit for the controller.
-  std::vector<double> blends;  ///< One a frame, m; 0 at the ends, at dwells and where the language cannot hold it.
+  std::string name;  ///< Accepted by the controller.
+  /// One per frame, m; 0 at the ends, at dwells and where the language cannot represent it.
+  std::vector<double> blends;
   const ProgramNumbers& rules;
   NumberWriter& numbers;
 
   bool hasJoints() const { return trajectory.hasJoints(); }
   std::string configurationAt(std::size_t i) const;
-  /// Numbers of the options and of frame `i` in the language's unit.
+  /// Numbers of the options and of frame `i` in the unit of the language.
   std::string speed() const { return numbers.text(rules.speed, options.speed, Text("speed")); }
   std::string acceleration() const {
     return numbers.text(rules.acceleration, options.acceleration, Text("acceleration"));
