@@ -12,7 +12,7 @@ namespace hapticell::mannequin {
 /// Errors: another scheme, sex or word, an invalid number. makeFigure() checks the ranges.
 Expected<BodyRequest> parseBodyRequest(const std::string& text);
 
-/// The same text for a request; statures to a tenth of a millimetre, masses to 10 g.
+/// The text of a request; statures to a tenth of a millimetre, masses to 10 g.
 std::string bodyRequestText(const BodyRequest& request);
 
 }  // namespace hapticell::mannequin

@@ -34,12 +34,13 @@ enum class Girth : std::uint8_t {
 };
 inline constexpr std::size_t kGirthCount = 19;
 
-/// Shortest and tallest stature (m) among the persons measured: beyond them proportions and body mass index are theirs.
+/// Shortest and tallest stature (m) among the persons measured: beyond them, their proportions and body mass index are
+/// used.
 std::array<double, 2> measuredStatures(Sex sex);
-/// The mass (kg) that the regression has for a stature among them.
+/// The mass (kg) from the regression for a stature in that range.
 double likelyMass(Sex sex, double stature);
 
-/// ANSUR II's word without spaces: "chestcircumference".
+/// The ANSUR II name without spaces: "chestcircumference".
 std::string_view nameOf(Girth girth);
 
 /// The most likely value (m) for a body, by the regression on stature and mass over the ANSUR II raw data.

@@ -21,12 +21,12 @@ inline dmat3 aboutZ(double a) {
   return {dvec3(c, s, 0), dvec3(-s, c, 0), dvec3(0, 0, 1)};
 }
 
-/// From 0 to pi; of any lengths above 0, exact for small angles too.
+/// From 0 to pi; for vectors of any length above 0; exact for small angles too.
 inline double angleBetween(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The least turn from unit vector a to unit vector b (not opposite: then some half turn's neighbour).
+/// The least rotation from unit vector a to unit vector b (for opposite vectors: close to some half turn).
 inline dmat3 leastTurn(const dvec3& a, const dvec3& b) {
   const dvec3 v = glm::cross(a, b);
   const double w = 1.0 / std::max(1e-9, 1.0 + glm::dot(a, b));
@@ -34,7 +34,7 @@ inline dmat3 leastTurn(const dvec3& a, const dvec3& b) {
   return dmat3(1.0) + K + w * (K * K);
 }
 
-/// The same orientation seen in the mirror y -> -y, so that right limbs can be treated as left ones.
+/// The same orientation mirrored at the plane y = 0, so that right limbs can be treated as left ones.
 inline dmat3 mirroredRotation(const dmat3& R) {
   return {R[0] * dvec3(1, -1, 1), R[1] * dvec3(-1, 1, -1), R[2] * dvec3(1, -1, 1)};
 }

@@ -135,28 +135,28 @@ constexpr Side other(Side side) {
   return side == Side::kLeft ? Side::kRight : Side::kLeft;
 }
 
-/// What one degree of freedom is.
+/// Properties of one degree of freedom.
 struct DofInfo {
   const char* name;      ///< "l_elbow_flexion": H-Anim joint and motion; unique, stable: posture files use it.
-  const char* joint;     ///< H-Anim joint (ISO/IEC 19774); l_radioulnar, which H-Anim has not, is named so.
-  Segment segment;       ///< Turned by it; for fingers and thumb the hand that carries them.
+  const char* joint;     ///< H-Anim joint (ISO/IEC 19774), or l_radioulnar, which H-Anim does not define.
+  Segment segment;       ///< The segment that it turns; for fingers and thumb the hand that carries them.
   int axis;              ///< 0 x, 1 y, 2 z of the segment's frame at zero posture.
   double sign;           ///< Turn about the positive axis = sign * angle.
   double lower;          ///< Hard limits, rad: never exceeded by the solver. For shoulder and hip these bound the
-  double upper;          ///< figure's outermost angles; the coupled limits of joint_limits.h are what holds.
+  double upper;          ///< outermost angles of the figure; the coupled limits of joint_limits.h apply.
   double comfort_lower;  ///< Comfort range, rad: HaptiCell's own choice (docs/dev/mannequin.md), no standard.
   double comfort_upper;
 };
 
 const DofInfo& dofInfo(Dof dof);
-/// By the name of a posture file; nothing where there is no such name.
+/// By the name in a posture file; empty if there is no such name.
 std::optional<Dof> findDof(std::string_view name);
-/// The same motion on the other side; for the spine, itself.
+/// The same motion on the other side; motions of the spine map to themselves.
 Dof mirrored(Dof dof);
 /// True for a bend or turn of the spine, whose sign changes when left and right are swapped.
 bool changesSignWhenMirrored(Dof dof);
 
-/// What one segment is.
+/// Properties of one segment.
 struct SegmentInfo {
   const char* name;   ///< H-Anim segment: "l_upperarm".
   const char* joint;  ///< H-Anim joint at its frame: "l_shoulder".
@@ -170,8 +170,8 @@ struct Gaze {
   double yaw = 0.0;
   double pitch = 0.0;
 };
-/// rad, 35 deg to either side, 20 up, 40 down: what the eyes turn to in visionVolume() of work_zones.h. Half: the head
-/// turns for what eyes see; twice: eyes go into their corners.
+/// rad, 35 deg to either side, 20 up, 40 down: the range of the eyes in visionVolume() of work_zones.h. Half: the head
+/// turns although the eyes could; twice: more than eyes can turn.
 inline constexpr double kGazeYawLimit = 0.6108652381980153;
 inline constexpr double kGazeUpLimit = 0.3490658503988659;    ///< 20 deg.
 inline constexpr double kGazeDownLimit = 0.6981317007977318;  ///< 40 deg.

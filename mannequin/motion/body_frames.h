@@ -22,9 +22,9 @@ class BodyFrames {
   /// `R_WC` turns the clip's axes into the world (Z up). The clip is used during construction only.
   BodyFrames(const MotionClip& clip, const ClipMap& map, const dmat3& R_WC);
 
-  /// One moment, from the places of the clip's joints.
+  /// One frame, from the positions of the clip's joints.
   RecordedBody bodyAt(const ClipPose& pose) const;
-  /// What was assumed, a sentence each.
+  /// Assumptions, one sentence each.
   const std::vector<Text>& assumptions() const { return assumptions_; }
 
  private:
@@ -42,11 +42,12 @@ class BodyFrames {
   std::vector<Text> assumptions_;
 };
 
-/// The neck's base at a moment: the lowest neck joint, else midway between the collars, else between the shoulders.
+/// The base of the neck at one frame: the lowest neck joint, else midway between the collars, else between the
+/// shoulders.
 dvec3 neckBase(const ClipMap& map, const ClipPose& pose);
 
-/// The clip's body frame at rest (all turns zero) by columns forward, left, up, in the file's axes; nothing where the
-/// bones do not lie there as a standing person's do.
+/// The clip's body frame at rest (all rotations zero) by columns forward, left, up, in the file's axes; empty if the
+/// bones are not placed as those of a standing person.
 std::optional<dmat3> restFrame(const MotionClip& clip, const ClipMap& map);
 
 }  // namespace hapticell::mannequin

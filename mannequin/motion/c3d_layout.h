@@ -25,10 +25,10 @@ struct C3dLayout {
   std::size_t rowBytes() const { return (4 * markers + analog) * numberBytes(); }
 };
 
-/// Counts, where they begin and of which kind they are. Header and parameters say most of it twice, and makers' files
-/// disagree with themselves: of all that is said, what fills the file to its last block is taken; else what the
-/// parameters say, with all the frames that there are. Each choice that was one is a warning. Errors: no points, more
-/// than 10000, fewer frames than stated, more than two million.
+/// Counts, offsets and number formats. Header and parameters state most of it twice, and files of some makers
+/// contradict themselves: the combination that fills the file to its last block is used; otherwise the parameters, with
+/// all frames that are present. Each real choice gives a warning. Errors: no points, more than 10000, fewer frames than
+/// stated, more than two million.
 inline Expected<C3dLayout> c3dLayout(const C3dParameters& parameters, const std::string& name);
 
 namespace c3d {
@@ -44,7 +44,7 @@ inline tl::unexpected<Error> fault(std::string name, std::size_t at, Text found,
                     .expected = std::move(expected)});
 }
 
-/// Values that a thing may have, the likeliest first, none twice.
+/// Possible values, the likeliest first, without repetitions.
 template <typename T>
 class Choices {
  public:
@@ -129,7 +129,7 @@ class LayoutFinder {
     add(header);
     const double parameter = p_.number("POINT:FRAMES").value_or(0.0);
     add(parameter);
-    // 16 bits count from 0 again.
+    // 16 bits wrap around to 0.
     for (double k = 1.0; k <= 30.0; k += 1.0) {
       add(header + 65536.0 * k);
       if (parameter >= 1.0) add(parameter + 65536.0 * k);
@@ -160,7 +160,7 @@ class LayoutFinder {
     return isEmpty(end, b_.size() - end);
   }
 
-  /// The likeliest of all choices that fills the file, or that fits into it at all.
+  /// The likeliest of all combinations that fills the file, or else that fits into it.
   std::optional<C3dLayout> best(bool to_the_end) const {
     std::optional<C3dLayout> found;
     std::size_t least = static_cast<std::size_t>(-1);
@@ -182,7 +182,7 @@ class LayoutFinder {
     return found;
   }
 
-  /// If rows continue after the stated number of frames, up to the file's last block.
+  /// True if rows continue after the stated number of frames, up to the file's last block.
   C3dLayout withAllRows(C3dLayout l) const {
     std::size_t rows = rowsThere(l);
     while (rows > l.frames && isEmpty(l.data_at + (rows - 1) * l.rowBytes(), l.rowBytes())) --rows;
@@ -220,7 +220,7 @@ class LayoutFinder {
     return l;
   }
 
-  /// The header's is that with which the numbers were written, where both disagree.
+  /// If both disagree, the header's value is the one that was used for writing.
   double scaleOf(C3dLayout& l) const {
     if (l.real) return 1.0;
     const auto parameter = p_.number("POINT:SCALE"), header = b_.real(12);

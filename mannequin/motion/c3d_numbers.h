@@ -9,10 +9,10 @@
 
 namespace hapticell::mannequin {
 
-/// The processors whose numbers C3D files hold, by the file's own code.
+/// The processors whose number formats C3D files use, by the code in the file.
 enum class C3dProcessor : std::uint8_t { kIntel = 84, kDec = 85, kMips = 86 };
 
-/// Numbers at places of a file; nothing where they are not all there. Real numbers are finite and below 1e12.
+/// Numbers at positions of a file; empty if the file ends before. Real numbers are finite and below 1e12.
 class C3dBytes {
  public:
   C3dBytes(std::string_view bytes, C3dProcessor processor) : bytes_(bytes), processor_(processor) {}

@@ -18,7 +18,7 @@
 namespace hapticell::mannequin {
 
 /// Header and parameters of a C3D file, unchanged. Parameters end with their section, with a name without letters, or
-/// with the first that leads out of the section; one of no known kind is passed over, with a warning.
+/// with the first that points outside the section; one of an unknown kind is skipped, with a warning.
 class C3dParameters {
  public:
   static constexpr std::size_t kBlock = 512;
@@ -27,9 +27,9 @@ class C3dParameters {
   static Expected<C3dParameters> read(std::string_view bytes, const std::string& name);
 
   const C3dBytes& bytes() const { return bytes_; }
-  /// Where the first block behind the parameters begins.
+  /// The position of the first block after the parameters.
   std::size_t end() const { return end_; }
-  /// Of POINT:RATE and its like; nothing where there is no such number. 16 bits count as without a sign.
+  /// The value of POINT:RATE and the like; empty if there is no such number. 16 bits are read as unsigned.
   std::optional<double> number(const char* name, std::size_t index = 0) const;
   std::vector<std::string> texts(const std::string& name) const;
   std::size_t placeOf(const char* name) const;
@@ -53,7 +53,7 @@ class C3dParameters {
   std::vector<Text> warnings_;
 };
 
-/// Without blanks and zeros at its ends; what is no letter of ASCII is a question mark.
+/// Without blanks and zeros at the ends; characters outside ASCII become question marks.
 inline std::string printable(std::string_view text);
 
 inline std::string printable(std::string_view text) {
@@ -86,11 +86,11 @@ inline Expected<C3dParameters> C3dParameters::read(std::string_view bytes, const
   return parameters;
 }
 
-/// Groups (negative number) and parameters follow each other, each telling how far the next one is.
+/// Groups (negative number) and parameters in a list; each states the offset of the next.
 inline void C3dParameters::readAll(std::size_t begin) {
   const std::size_t blocks = *bytes_.byte(begin + 2);
   end_ = begin + std::max<std::size_t>(blocks, 1) * kBlock;
-  // Where the section does not say how long it is, it ends with the file.
+  // If the section does not state its length, it ends with the file.
   const std::size_t last = std::min(blocks == 0 ? bytes_.size() : end_, bytes_.size());
   std::map<int, std::string> groups;
   std::map<std::pair<int, std::string>, Parameter> found;

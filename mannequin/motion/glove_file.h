@@ -12,11 +12,11 @@ namespace hapticell::mannequin {
 /// rad a reading of 0 .. 255, and rad.
 Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& file);
 
-/// Written aside and moved into place; folders are made. Errors: it cannot be written.
+/// Written to a temporary file and renamed; folders are created. Errors: it cannot be written.
 Expected<void> writeGloveCalibration(const GloveCalibration& calibration, const std::filesystem::path& file);
 
-/// What a hand of middle size gives without any calibration: 60 readings flat, 200 in a fist. Good enough to see
-/// the hand move.
+/// Typical values of a hand of middle size without calibration: 60 readings flat, 200 in a fist. Sufficient to see the
+/// hand move.
 GloveCalibration roughGloveCalibration();
 
 }  // namespace hapticell::mannequin

@@ -16,10 +16,10 @@ inline constexpr std::size_t kGloveSensors = 22;
 using GloveReadings = std::array<double, kGloveSensors>;
 
 /// 22 readings of a glove with 18 or 22 sensors; the outer finger joints that the smaller one lacks repeat the joint
-/// before them. Nothing where there are neither 18 nor 22 numbers.
+/// before them. Empty if there are neither 18 nor 22 numbers.
 std::optional<GloveReadings> gloveReadings(std::span<const double> readings);
 
-/// The four poses of a calibration, each held while readings are taken.
+/// The four poses of a calibration; the user holds each while readings are taken.
 struct GloveCalibrationPoses {
   GloveReadings flat{};         ///< Fingers straight and together, thumb next to the palm.
   GloveReadings fist{};         ///< Fingers curled by 90 deg at every joint.
@@ -33,15 +33,15 @@ struct GloveCalibration {
   GloveReadings offset{};
 };
 
-/// Two poses fix each sensor. Nothing where a sensor hardly differs between its two poses (by less than 4 of 255): the
-/// poses were not held, or the sensor is dead; `bad_sensor`, where given, is its index.
+/// Two poses calibrate each sensor. Empty if a sensor hardly differs between its two poses (by less than 4 of 255): the
+/// poses were not held, or the sensor is dead; `bad_sensor`, if given, is its index.
 std::optional<GloveCalibration> calibrateGlove(const GloveCalibrationPoses& poses, std::size_t* bad_sensor = nullptr);
 
 /// Joint angles of all sensors, rad.
 GloveReadings gloveAngles(const GloveCalibration& calibration, const GloveReadings& readings);
 
-/// Puts them on a hand of the figure, within its limits: fingers' curl (mean of MPJ and PIJ of the four), thumb flexion
-/// (MPJ and IJ), thumb abduction. The wrist stays: its place comes from a tracker.
+/// Applies them to a hand of the figure, within its limits: curl of the fingers (mean of MPJ and PIJ of the four),
+/// thumb flexion (MPJ and IJ), thumb abduction. The wrist is unchanged: a tracker gives its pose.
 void setHandFromGlove(const GloveReadings& angles, Side side, Posture& posture);
 
 }  // namespace hapticell::mannequin

@@ -13,16 +13,16 @@
 
 namespace hapticell::mannequin {
 
-/// Turns the clip, whose places are in the file's own axes, so that z is up, and says why. `told` has priority;
-/// `screen` is the file's POINT:Y_SCREEN, empty where it has none.
+/// Turns the clip, whose positions are in the file's own axes, so that z is up, and gives the reason. `told` has
+/// priority; `screen` is the file's POINT:Y_SCREEN, empty if it has none.
 inline void turnUpright(MarkerClip& clip, std::optional<UpAxis> told, const std::string& screen);
 
 namespace marker_up {
 
-/// Moments looked at, for a mean direction. Half, twice: no effect but time on motions of a person.
+/// Number of frames examined for a mean direction. Half, twice: only computing time changes for motions of a person.
 inline constexpr std::size_t kMostLooked = 300;
 
-/// How high on a body a marker sits, by its usual name: 3 head, 2 shoulders and chest, 1 pelvis, 0 knees, -1 feet.
+/// Height class of a marker on the body, by its usual name: 3 head, 2 shoulders and chest, 1 pelvis, 0 knees, -1 feet.
 inline std::optional<int> heightOf(const std::string& name) {
   std::string word;
   for (const char c : name.substr(name.find_last_of(":|") == std::string::npos ? 0 : name.find_last_of(":|") + 1)) {
@@ -45,7 +45,7 @@ inline std::optional<int> heightOf(const std::string& name) {
   return std::nullopt;
 }
 
-/// From the lowest known markers to the highest, moment by moment.
+/// From the lowest known markers to the highest, frame by frame.
 inline std::vector<dvec3> upwardsOf(const MarkerClip& clip) {
   std::vector<std::optional<int>> heights;
   for (const std::string& name : clip.names) heights.push_back(heightOf(name));
@@ -55,7 +55,7 @@ inline std::vector<dvec3> upwardsOf(const MarkerClip& clip) {
     std::array<dvec3, 5> sum{};
     std::array<double, 5> count{};
     for (std::size_t m = 0; m < clip.names.size(); ++m) {
-      if (!heights[m] || !clip.at(f, m) || *clip.at(f, m) == dvec3(0.0)) continue;  // 0 0 0: not seen.
+      if (!heights[m] || !clip.at(f, m) || *clip.at(f, m) == dvec3(0.0)) continue;  // 0 0 0: not visible.
       const std::size_t at = static_cast<std::size_t>(*heights[m] + 1);
       sum[at] += *clip.at(f, m);
       count[at] += 1.0;

@@ -10,7 +10,7 @@
 namespace hapticell::mannequin {
 
 /// Postures of a figure as BVH: H-Anim joint names, centimetres, Y up, at rest facing Z with the arms hanging (zero
-/// posture). The segments' joints only; fingers are left out.
+/// posture). Only the joints of segments; fingers are omitted.
 std::string bvhText(const Figure& figure, std::span<const Posture> postures, double frame_time);
 
 /// A figure in a posture as X3D (ISO/IEC 19775) with an H-Anim humanoid (ISO/IEC 19774): metres, Y up, facing Z; joint

@@ -7,8 +7,8 @@
 
 #include "mannequin/body/figure.h"
 #include "mannequin/motion/motion_clip.h"
-#include "mannequin/posture/posture.h"
 #include "mannequin/motion/recorded_motion.h"
+#include "mannequin/posture/posture.h"
 
 namespace hapticell::mannequin {
 
@@ -21,10 +21,10 @@ struct RetargetedMotion {
   std::map<std::string, int> frames_beyond_limit;
 };
 
-/// Directions are taken over, lengths are the figure's own; the root moves in proportion to the legs, and the whole
-/// motion is lowered or raised so that its lowest sole touches the floor. Errors: legs without length.
+/// Directions are kept, lengths are those of the figure; the root moves in proportion to the legs, and the whole motion
+/// is lowered or raised so that its lowest sole touches the floor. Errors: legs without length.
 Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& motion);
-/// The same of a clip, with recordedMotion()'s errors.
+/// The same for a clip, with the errors of recordedMotion().
 Expected<RetargetedMotion> retarget(const Figure& figure, const MotionClip& clip);
 
 }  // namespace hapticell::mannequin

@@ -14,10 +14,10 @@
 
 namespace hapticell::mannequin {
 
-/// Which of a file's axes points up.
+/// The axis of a file that points up.
 enum class UpAxis { kX, kY, kZ, kMinusX, kMinusY, kMinusZ };
 
-/// "x", "y", "z", with "-" before it where it points down; a "+" and capitals are allowed. Else an error for --up.
+/// "x", "y", "z", with "-" before it if it points down; "+" and capitals are allowed. Otherwise an error for --up.
 inline Expected<UpAxis> parseUpAxis(std::string_view text);
 /// "x", "-z" ...
 inline const char* nameOf(UpAxis axis);
@@ -26,17 +26,17 @@ inline dvec3 directionOf(UpAxis axis);
 /// Turns the file's axes so that `up` becomes Z; +Z leaves everything as it is, +Y becomes Z and Z becomes -Y.
 inline dmat3 uprightTurn(UpAxis up);
 
-/// The axis along which `upwards` (vectors from what is low on a body to what is high on it, moment by moment) point on
-/// the whole: nothing where they point along no axis clearly (a person who lies, or turns upside down).
+/// The axis along which `upwards` (vectors from low to high parts of a body, frame by frame) point on average; empty if
+/// they do not clearly follow an axis (a person who lies, or turns upside down).
 inline std::optional<UpAxis> upAxisOf(std::span<const dvec3> upwards);
 
 namespace up_axis {
 
 inline constexpr std::array<const char*, 6> kUpNames = {"x", "y", "z", "-x", "-y", "-z"};
-/// Of the mean direction, along the axis: within 53 deg of it. Half: also where two axes are alike; twice: never. Where
-/// it is not clear, an assumption is reported.
+/// Required component of the mean direction along the axis: within 53 deg of it. Half: also if two axes are alike;
+/// twice: never. If it is not clear, an assumption is reported.
 inline constexpr double kClearlyUp = 0.6;
-/// Than along the second axis. Half: always; twice: people that bend much of the time count as unclear.
+/// Required ratio to the second axis. Half: always; twice: people that bend much of the time count as unclear.
 inline constexpr double kClearlyMore = 1.3;
 
 }  // namespace up_axis

@@ -51,20 +51,20 @@ class WordReader {
     while (end > begin && isBlank(text_[end - 1])) --end;
     return text_.substr(begin, end - begin);
   }
-  /// Takes `mark` where it comes next, after blanks; else false.
+  /// Consumes `mark` if it comes next, after blanks; otherwise returns false.
   bool take(char mark) {
     while (at_ < text_.size() && isBlank(text_[at_])) step();
     if (at_ >= text_.size() || text_[at_] != mark) return false;
     ++at_;
     return true;
   }
-  /// A finite number of believable size, or nothing.
+  /// A finite number of plausible size, or empty.
   std::optional<double> number() { return numberOf(next()); }
   static std::optional<double> numberOf(std::string_view word) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
-    // A denormal is zero here: rounded-off angles are written as 1e-310 by some programs.
+    // A denormal is taken as zero: some programs write rounded angles as 1e-310.
     if (error == std::errc::result_out_of_range && end == word.data() + word.size() && isTiny(word)) return 0.0;
     if (!whole || !std::isfinite(value) || std::abs(value) > 1e9) return std::nullopt;
     return value;
@@ -73,7 +73,7 @@ class WordReader {
   Text place() const { return Text("line %1", line_); }
 
  private:
-  /// Of a number that no double holds: it is too small for that and not too large.
+  /// For a number that no double can represent: true if it is too small, false if too large.
   static bool isTiny(std::string_view word) {
     const std::size_t exponent = word.find_first_of("eE");
     if (exponent != std::string_view::npos) return word.substr(exponent + 1).starts_with('-');
@@ -91,7 +91,7 @@ class WordReader {
   std::size_t line_ = 1;
 };
 
-/// What to say of a text that is not one: two bytes a letter, or zeros in it. Empty where it is sound.
+/// The reason why a text is not readable as text: two bytes per letter, or zeros in it. Empty if it is readable.
 inline Text whyNoText(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return Text("UTF-16 text");
   if (text.substr(0, 4096).find('\0') != std::string_view::npos) return Text("bytes that are not text");

@@ -9,8 +9,8 @@
 
 namespace hapticell::mannequin {
 
-/// The solver's own picture of a posture: ball joints as matrices, so that nothing is singular. The three angles of a
-/// ball joint in `angles` are stale.
+/// The solver's representation of a posture: ball joints as matrices, so that no posture is singular. The three angles
+/// of a ball joint in `angles` are not up to date.
 struct BodyState {
   SegmentPlace root;
   JointAngles angles{};
@@ -37,7 +37,7 @@ constexpr int legVariable(Side side) {
 
 using Variables = std::array<double, kVariables>;
 
-/// The joint angle behind a variable; nothing for the root and the ball joints' turns.
+/// The joint angle of a variable; empty for the root and the rotations of ball joints.
 std::optional<Dof> dofOfVariable(int variable);
 
 /// Axes that the variables turn about (or, for the first three, move along), in the world.

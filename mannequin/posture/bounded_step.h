@@ -8,8 +8,8 @@
 
 namespace hapticell::mannequin {
 
-/// Rows of the whole-body task: feet 2 x 6, centre of mass 2, hands 2 x 6. A row that is not wanted has zeros and a
-/// regularisation of 1.
+/// Rows of the whole-body task: feet 2 x 6, centre of mass 2, hands 2 x 6. An unused row has zeros and a regularisation
+/// of 1.
 inline constexpr int kTaskRows = 26;
 inline constexpr int kFootRow = 0, kBalanceRow = 12, kHandRow = 14;
 
@@ -19,12 +19,13 @@ struct StepProblem {
   std::array<double, kTaskRows> e{};
   std::array<double, kTaskRows> R{};
   Variables D{};
-  Variables wish{};  ///< dqc: acts in what the tasks leave free.
+  Variables wish{};  ///< dqc: has an effect in directions that the tasks leave free.
   Variables lower{}, upper{};
-  bool arms_coupled = false;  ///< A held object: the left arm's columns reach into the right hand's rows.
+  /// For a held object: the columns of the left arm extend into the rows of the right hand.
+  bool arms_coupled = false;
 };
 
-/// Which bound a variable sits on: -1 lower, +1 upper, 0 free. Kept from step to step, it saves passes.
+/// The active bound of a variable: -1 lower, +1 upper, 0 free. Reusing it from step to step saves passes.
 using ActiveSet = std::array<std::int8_t, kVariables>;
 
 /// Solves it exactly: Newton steps on the dual function (kTaskRows unknowns), which is concave and made of parabolas,

@@ -26,13 +26,13 @@ inline RowRanges rowsOf(int variable, bool arms_coupled) {
 /// slower.
 inline constexpr int kMostUpdates = 14;
 
-/// The system (J D^-1 J^T + R) y = e - J dq0 over the free variables, kept factorised while variables change sides: a
-/// change costs a rank-one update (Gill, Golub, Murray and Saunders, Math. Comp. 28, 1974, method C1).
+/// The system (J D^-1 J^T + R) y = e - J dq0 over the free variables, kept factorised while variables enter or leave
+/// bounds: each change is a rank-one update (Gill, Golub, Murray and Saunders, Math. Comp. 28, 1974, method C1).
 class DualSystem {
  public:
   DualSystem(const StepProblem& problem, const ActiveSet& active) : p_(problem), known_(active) { build(); }
 
-  /// Takes another active set over; true when it was the same.
+  /// Switches to another active set; true if it was the same.
   bool takeOver(const ActiveSet& active) {
     int changes = 0;
     for (std::size_t i = 0; i < kVariables; ++i) changes += active[i] != known_[i] ? 1 : 0;

@@ -8,8 +8,8 @@
 
 namespace hapticell::mannequin {
 
-/// Where a segment's frame S is in the world. A matrix, not a Pose: this is the inner loop of the solver, and products
-/// of a few rotations stay orthonormal to rounding.
+/// The frame S of a segment in the world. A matrix, not a Pose: this is the inner loop of the solver, and products of a
+/// few rotations stay orthonormal to rounding.
 struct SegmentPlace {
   dmat3 R_WS{1.0};
   dvec3 p_WS{0.0};
@@ -18,7 +18,7 @@ struct SegmentPlace {
   Pose pose() const { return {p_WS, glm::normalize(glm::quat_cast(R_WS))}; }
 };
 
-/// All segments' places.
+/// The frames of all segments.
 struct FigurePose {
   std::array<SegmentPlace, kSegmentCount> segments{};
 
@@ -31,8 +31,8 @@ struct FigurePose {
 void forwardKinematics(const Figure& figure, const Posture& posture, FigurePose& pose);
 FigurePose forwardKinematics(const Figure& figure, const Posture& posture);
 
-/// R = Ry(y) Rx(x) Rz(z) and back. Of the two triples that mean the same, the one with the smaller sum of absolute
-/// values; where y and z are one turn (x = +-90 deg), z is 0.
+/// R = Ry(y) Rx(x) Rz(z) and its inverse. Of the two equivalent triples, the one with the smaller sum of absolute
+/// values; if y and z are the same rotation (x = +-90 deg), z is 0.
 dmat3 rotationYXZ(const dvec3& angles_xyz);
 dvec3 anglesYXZ(const dmat3& R);
 
@@ -45,7 +45,7 @@ struct HandLoad {
   dvec3 p_HC{0.0};
 };
 
-/// Centre of mass of the body and of what its hands carry (left, right).
+/// Centre of mass of the body and of the loads in its hands (left, right).
 dvec3 centerOfMass(const Figure& figure, const FigurePose& pose, const std::array<HandLoad, 2>& loads = {});
 
 /// Pose of a hand (its segment's frame H: origin at the wrist, fingers along -Z, back of the left hand +Y).

@@ -7,7 +7,7 @@
 
 namespace hapticell::mannequin {
 
-/// What became of a wish for the head.
+/// The result of a motion of the head.
 struct HeadResult {
   Posture posture;
   double position_error = 0.0;     ///< m, of the point between the eyes.
@@ -15,12 +15,13 @@ struct HeadResult {
 };
 
 /// One tick of a drag of the head (1 kHz): the point between the eyes and the head's axes move towards X_WEyes (frame
-/// of the head's segment, origin between the eyes) by the neck's nine turns and, unless locked, the spine's nine; at
-/// most about 2 degrees in any joint, hard limits kept, never farther off than `from`. Pelvis, legs and the arms'
-/// angles stay, so hands go with the trunk. Damped least squares; the same input gives the same bits; no allocation.
+/// of the head's segment, origin between the eyes) by the neck's nine joints and, unless locked, the spine's nine; at
+/// most about 2 degrees in any joint, within hard limits, never farther from the target than `from`. Pelvis, legs and
+/// the angles of the arms do not change, so hands move with the trunk. Damped least squares; the same input gives the
+/// same bits; no allocation.
 HeadResult followHead(const Figure& figure, const Posture& from, const Pose& X_WEyes, bool trunk_locked);
 
-/// Where the eyes are: the head's axes, origin between the eyes.
+/// The pose of the eyes: the head's axes, origin between the eyes.
 Pose eyesFrame(const Figure& figure, const FigurePose& pose);
 
 }  // namespace hapticell::mannequin

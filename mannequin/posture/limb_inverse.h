@@ -12,11 +12,12 @@ struct LegAngles {
   double knee = 0.0;
   double plantar_flexion = 0.0;
   double inversion = 0.0;
-  double violation = 0.0;  ///< Sum of what exceeds hard limits, rad; 0 when all hold.
-  double missing = 0.0;    ///< m that the leg is too short or too long for the distance; the knee is then at its end.
+  double violation = 0.0;  ///< Sum of the excess over hard limits, rad; 0 if all hold.
+  /// m by which the leg is too short or too long for the distance; the knee is then at its limit.
+  double missing = 0.0;
 };
 
-/// The one leg that puts the foot at X_WF under a pelvis at `pelvis`.
+/// The leg posture that puts the foot at X_WF under a pelvis at `pelvis`.
 LegAngles legInverse(const Figure& figure, Side side, const SegmentPlace& pelvis, const SegmentPlace& foot);
 
 /// An arm in closed form.
@@ -28,29 +29,29 @@ struct ArmAngles {
   double wrist_ulnar = 0.0;
   double swivel = 0.0;
   double violation = 0.0;
-  double missing = 0.0;  ///< m by which the wrist falls short of its target (or is too near).
+  double missing = 0.0;  ///< m by which the wrist misses its target (too far or too near).
 };
 
-/// Everything that the arm's inverse needs and that does not depend on the swivel. Tolani, Goswami and Badler,
-/// Graphical Models 62 (2000).
+/// Data of the arm's inverse that does not depend on the swivel. Tolani, Goswami and Badler, Graphical Models 62
+/// (2000).
 ///
-/// The swivel is the angle of the elbow about the line from shoulder to wrist: 0 where the elbow hangs along the
-/// trunk's down, positive outward.
+/// The swivel is the angle of the elbow about the line from shoulder to wrist: 0 if the elbow hangs along the trunk's
+/// down, positive outward.
 class ArmProblem {
  public:
   ArmProblem(const Figure& figure, Side side, const SegmentPlace& thorax, const SegmentPlace& clavicle,
              const SegmentPlace& hand);
 
   ArmAngles at(double swivel) const;
-  /// The same without looking at limits (`violation` stays 0).
+  /// The same without checking limits (`violation` stays 0).
   ArmAngles anglesAt(double swivel) const;
   /// The swivel of an elbow seen at p_WE (projected onto the circle).
   double swivelOf(const dvec3& p_WE) const;
   /// Distance shoulder to wrist over the arm's length.
   double stretch() const { return distance_ / (upper_ + forearm_); }
 
-  /// Discomfort of a swivel, the lower the better: pronation, wrist, humeral twist and a raised elbow, with round
-  /// weights chosen on recorded motion (docs/dev/mannequin.md). Takes the arm already solved at that swivel.
+  /// Discomfort of a swivel, lower is better: pronation, wrist, humeral twist and a raised elbow, with round weights
+  /// chosen on recorded motion (docs/dev/mannequin.md). Takes the arm already solved at that swivel.
   double discomfort(const ArmAngles& arm) const;
   /// The most comfortable swivel: `samples` of the circle and a parabola through the best.
   double preferredSwivel(int samples = 24) const;

@@ -13,7 +13,7 @@
 
 namespace hapticell::mannequin {
 
-/// The posture of a figure: where its root (mid-hip, pelvis frame R) is, and its 56 joint angles. A value.
+/// The posture of a figure: the pose of its root (mid-hip, pelvis frame R) and its 56 joint angles. A value.
 struct Posture {
   Pose X_WR;
   JointAngles angles{};
@@ -23,8 +23,8 @@ struct Posture {
   double& operator[](Dof dof) { return angles[indexOf(dof)]; }
 };
 
-/// Left and right exchanged in place: joint angles swap sides, turns and side bends change sign, the root keeps its
-/// place and heading and leans to the other side.
+/// Exchanges left and right: joint angles swap sides, turns and side bends change sign, the root keeps its place and
+/// heading and leans to the other side.
 Posture mirror(const Posture& posture);
 
 /// The arms' angles exchanged (girdle, arm, hand, fingers), the rest kept.
@@ -45,17 +45,18 @@ struct LimitViolation {
 /// "l_elbow_flexion is -4.0 deg, limit 0.0 deg".
 Text textOf(const LimitViolation& violation);
 
-/// Angles outside their hard limits (the coupled ones at shoulders and hips too). Nothing is clamped.
+/// Angles outside their hard limits (including the coupled ones at shoulders and hips). Nothing is clamped.
 std::vector<LimitViolation> limitViolations(const Posture& posture, double tolerance_rad = 1e-6);
 
-/// The posture at `s` in [0, 1] of the motion from one to the other: hinges evenly, ball joints and the root about
+/// The posture at `s` in [0, 1] of the motion from one to the other: hinges linearly, ball joints and the root about
 /// fixed axes.
 Posture interpolate(const Posture& from, const Posture& to, double s);
 
-/// How far each segment turns in its parent on that motion, rad (hinges of one joint added up); the root's first.
+/// The rotation of each segment relative to its parent on that motion, rad (hinges of one joint are summed); the root's
+/// first.
 std::array<double, kSegmentCount> turnsBetween(const Posture& from, const Posture& to);
 
-/// A posture of the library, by angles in degrees that differ from zero.
+/// A posture of the library, by its angles in degrees that differ from zero.
 struct LibraryPosture {
   std::string name;  ///< "standing", "seated", "overhead", ...
   Posture posture;   ///< Root at the origin of x and y; use onFloor() for its height.
@@ -64,7 +65,7 @@ struct LibraryPosture {
 /// The built-in postures: zero, standing, t_pose, seated, overhead, kneeling, kneeling_one, squatting, stooping,
 /// reaching, both_hands_forward, pushing, typing, lying. Their angles are our own choice.
 const std::vector<LibraryPosture>& postureLibrary();
-/// One of them placed for the figure (feet, knees or back on the floor; a seated one's feet). Nothing: no such name.
+/// One of them placed for the figure (feet, knees or back on the floor; a seated one's feet). Empty: no such name.
 std::optional<Posture> libraryPosture(const Figure& figure, std::string_view name);
 
 }  // namespace hapticell::mannequin

@@ -16,8 +16,9 @@ namespace hapticell::mannequin {
 std::string postureText(const Posture& posture);
 
 /// Reads such a text; messages use `name`. Joints that are not listed are 0; "unit":"deg" next to "joints" means
-/// degrees. `has_root`, if given, is set to whether the text places the root. Errors: invalid JSON, an unknown joint,
-/// an invalid number or one beyond +-7 rad, a newer version. Limits are not checked here (limitViolations()).
+/// degrees. `has_root`, if given, receives whether the text gives the pose of the root. Errors: invalid JSON, an
+/// unknown joint, an invalid number or one beyond +-7 rad, a newer version. Limits are not checked here
+/// (limitViolations()).
 Expected<Posture> parsePosture(std::string_view text, const std::string& name, bool* has_root = nullptr);
 Expected<Posture> readPosture(const std::filesystem::path& file, bool* has_root = nullptr);
 

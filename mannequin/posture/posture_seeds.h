@@ -5,8 +5,8 @@
 
 namespace hapticell::mannequin {
 
-/// A state with arms in closed form at the best of some swivels; the cost is 10 times what exceeds limits (rad) and a
-/// little for swivels that people avoid.
+/// A state with arms in closed form at the best of several swivels; the cost is 10 times the excess over limits (rad)
+/// plus a small cost for uncommon swivels.
 struct SeededState {
   BodyState state;
   double cost = 0.0;
@@ -18,12 +18,12 @@ SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyS
 /// arms in closed form, a few at a time when they are asked for.
 class PostureSeeds {
  public:
-  /// Trunks of the lattice (4 crouches, 4 pitches, 3 turns), tries for two hands and for one; by trial. Half: more
-  /// goals in reach are missed; twice: up to twice the time of those out of reach.
+  /// Trunks of the lattice (4 crouches, 4 pitches, 3 turns), tries for two hands and for one; found by trial. Half:
+  /// more reachable targets are missed; twice: up to twice the time for those out of reach.
   static constexpr std::size_t kTrunks = 48, kMost = 8, kBatch = 4;
 
   PostureSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present);
-  /// The next state to try; nullptr after kMost, or after the first batch where one hand only is asked for.
+  /// The next state to try; nullptr after kMost, or after the first batch if only one hand has a target.
   const BodyState* next();
 
  private:
@@ -42,7 +42,7 @@ class PostureSeeds {
   std::size_t given_ = 0;
 };
 
-/// The whole figure with its feet moved and turned so that what the hands want lies well before it.
+/// The whole figure with its feet moved and turned so that the targets of the hands lie well in front of it.
 Posture steppedTowards(const Figure& figure, const PostureTask& task, const Posture& start);
 
 }  // namespace hapticell::mannequin

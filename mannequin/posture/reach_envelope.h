@@ -7,13 +7,13 @@
 namespace hapticell::mannequin {
 
 struct ReachOptions {
-  bool with_trunk = false;  ///< The trunk leans and turns, feet standing; else the shoulder alone.
+  bool with_trunk = false;  ///< The trunk leans and turns, with the feet fixed; otherwise only the shoulder moves.
   int meridians = 24;       ///< Directions around, half as many bands from bottom to top.
 };
 
-/// How far the grip of a hand gets in every direction from its shoulder, as a closed surface in the world. Each vertex
-/// is where the posture solver stops on the way out of the reach, so limits of all joints and, with the trunk, balance
-/// are in it. The hand may turn as it likes.
+/// The reach of the grip of a hand in every direction from its shoulder, as a closed surface in the world. Each vertex
+/// is the farthest point that the posture solver reaches, so limits of all joints and, with the trunk, balance are
+/// included. The orientation of the hand is free.
 geometry::TriangleMesh reachEnvelope(const Figure& figure, const Posture& posture, Side side,
                                      const ReachOptions& options = {});
 

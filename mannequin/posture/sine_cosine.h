@@ -13,9 +13,9 @@ struct SineCosine {
   JointAngles cosine;
 };
 
-/// All at once by Taylor polynomials on [-45, 45] deg after taking off quarter turns: written so that the compiler can
-/// do several angles in one instruction, and free of the system's libm, so that results repeat on every machine. Angles
-/// beyond 1e5 rad are not supported (contract of the callers: joint angles).
+/// Computes all at once by Taylor polynomials on [-45, 45] deg after removing quarter turns: written so that the
+/// compiler can process several angles per instruction, and independent of the system's libm, so that results are the
+/// same on every machine. Angles beyond 1e5 rad are not supported (contract of the callers: joint angles).
 void sinesAndCosines(const JointAngles& angles, SineCosine& result);
 
 }  // namespace hapticell::mannequin

@@ -5,12 +5,13 @@
 
 namespace hapticell::mannequin {
 
-/// How a figure must move to look at something (NUREG-0700 rev. 3; EN ISO 14738 uses the same kind of zones).
+/// The part of the body that must move for a figure to look at something (NUREG-0700 rev. 3; EN ISO 14738 uses similar
+/// zones).
 enum class VisionZone : std::uint8_t {
   kPreferred,  ///< Within 15 deg of the line of sight, eyes at rest.
   kEyes,       ///< Eyes turn: 35 deg to the side, 20 deg up, 40 deg down.
   kHead,       ///< The head turns too: 60 deg to the side, 75 deg up.
-  kOutside,    ///< Not without turning the trunk.
+  kOutside,    ///< Only with a turn of the trunk.
 };
 const char* wordOf(VisionZone zone);
 

@@ -5,7 +5,7 @@
 
 namespace hapticell::mannequin {
 
-/// About the distance (m) of a point to a blob, in its frame.
+/// Approximate distance (m) of a point to a blob, in the blob's frame.
 double distanceTo(const Blob& blob, const dvec3& p);
 
 }  // namespace hapticell::mannequin

@@ -9,32 +9,32 @@
 
 namespace hapticell::mannequin {
 
-/// A tapered capsule from a to b with end radii, stretched along the axes of its frame: the flesh that bodies are made
-/// of here. Metres.
+/// A tapered capsule from a to b with end radii, stretched along the axes of its frame: the element from which bodies
+/// are built. Metres.
 struct Blob {
   dvec3 a{0.0}, b{0.0};
   double ra = 0.0, rb = 0.0;
   dvec3 stretch{1.0};
-  double blend = -1.0;  ///< m over which it flows into the blobs before it; negative: as its flesh says.
+  double blend = -1.0;  ///< m over which it blends into the blobs before it; negative: the value of its flesh.
 };
 
 /// The flesh of one rigid body of the figure, in its own frame.
 struct Flesh {
   std::vector<Blob> blobs;
-  double blend = 0.02;           ///< m over which blobs flow into each other.
+  double blend = 0.02;           ///< m over which blobs blend into each other.
   double floor = -1e9;           ///< Cut off below this z (soles).
   std::array<float, 3> color{};  ///< Clothing or skin.
   std::vector<Blob> hollows{};   ///< Taken away: sockets.
 
-  /// About the distance (m) of a point to the surface, negative inside; never larger than the true one.
+  /// Approximate distance (m) of a point to the surface, negative inside; never larger than the true one.
   double distance(const dvec3& p) const;
-  /// The same with the way out at that point: unit, of the blob that is nearest.
+  /// The same with the outward direction at that point: unit, of the nearest blob.
   double distance(const dvec3& p, dvec3& outward) const;
   geometry::Bounds bounds() const;
 };
 
-/// Flesh of all segments, then of left and right hand's phalanges (digit by digit). Generated from the figure's
-/// dimensions; no foreign model is in it.
+/// Flesh of all segments, then of the phalanges of left and right hand (digit by digit). Generated from the figure's
+/// dimensions, without third-party models.
 inline constexpr std::size_t kBodies = kSegmentCount + 2 * kDigits * kPhalanges;
 constexpr std::size_t phalanxBody(Side side, std::size_t digit, std::size_t phalanx) {
   return kSegmentCount + (static_cast<std::size_t>(side) * kDigits + digit) * kPhalanges + phalanx;
@@ -44,7 +44,7 @@ std::size_t parentBody(std::size_t body);
 std::vector<Flesh> fleshOf(const Figure& figure);
 
 /// Closed surface of one body in its own frame, cells of `cell` metres. Round at its ends, so that neighbours overlap
-/// and no gap opens in any posture.
+/// without a gap in any posture.
 geometry::TriangleMesh bodyMesh(const Flesh& flesh, double cell);
 
 /// Smooth minimum of two distances: a polynomial over `k` metres.

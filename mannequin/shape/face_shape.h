@@ -27,7 +27,7 @@ std::vector<FacePiece> eyePieces(const Figure& figure);
 /// Lids, brows and lips in the head's frame. They do not move.
 std::vector<FacePiece> facePieces(const Figure& figure);
 
-/// How the head's frame turns into that of an eye that looks where the gaze says.
+/// The rotation of the head's frame into that of an eye that looks along the gaze.
 dmat3 eyeRotation(const Gaze& gaze);
 
 }  // namespace hapticell::mannequin

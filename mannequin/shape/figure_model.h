@@ -9,18 +9,18 @@
 
 namespace hapticell::mannequin {
 
-/// A figure as a tree of links and joints, so that what draws and checks robots draws and checks it too.
+/// A figure as a tree of links and joints, so that it is drawn and checked like a robot.
 ///
 /// The root link is on the floor under the standing figure and moves with the pelvis. The variables are the 56 degrees
-/// of freedom, in the order of Dof, then the gaze's yaw and pitch, by which the eyes turn; fingers follow their curl as
-/// mimic joints. Links bear H-Anim names and carry the generated body: fine meshes to look at, coarser ones to check.
+/// of freedom, in the order of Dof, then the gaze's yaw and pitch, which turn the eyes; fingers follow their curl as
+/// mimic joints. Links have H-Anim names and the generated body: fine meshes for display, coarser ones for checks.
 inline constexpr std::size_t kModelVariables = kDofCount + 2;
 std::shared_ptr<const kinematics::RobotModel> figureModel(const Figure& figure);
 
 /// The root link's frame E in the pelvis's frame R.
 Pose rootInPelvis(const Figure& figure);
 
-/// Placement of the root link and joint positions of a posture, and back.
+/// Converts a posture to the pose of the root link and joint positions, and back.
 struct ModelConfiguration {
   Pose X_WE;
   std::vector<double> joints;

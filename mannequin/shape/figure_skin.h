@@ -21,23 +21,23 @@ class FigureSkin {
   /// Takes about 2 s.
   explicit FigureSkin(const Figure& figure);
 
-  /// What belongs to one body and one layer: vertices from `first` on. Neighbours have the same vertices along their
-  /// border, with the same normals.
+  /// The part of one body and one layer: vertices from `first` on. Neighbours have the same vertices with the same
+  /// normals along their border.
   struct Patch {
-    std::size_t body = 0;  ///< As fleshOf() counts them.
+    std::size_t body = 0;  ///< Index as in fleshOf().
     std::array<float, 3> color{};
-    bool face = false;  ///< Hair, brows, lips, eyes: on the head, in a colour of their own whatever the head's is.
+    bool face = false;  ///< Hair, brows, lips, eyes: on the head, with a colour of their own.
     std::size_t first = 0, count = 0;
-    /// Triangles over the patch's own vertices (0 is `first`): the whole, then coarser ones with the same border.
+    /// Triangles over the patch's own vertices (0 is `first`): full detail, then coarser levels with the same border.
     std::vector<std::vector<std::array<std::uint32_t, 3>>> steps;
   };
   const std::vector<Patch>& patches() const { return patches_; }
   std::size_t vertexCount() const { return vertices_.size(); }
-  /// How far (m) the steps' triangles are from the whole's, about.
+  /// Approximate distance (m) of each level from full detail.
   const std::vector<double>& stepErrors() const { return step_errors_; }
 
-  /// Places of all vertices and their unit normals in a posture, in the frame that the posture's root is given in.
-  /// Some milliseconds.
+  /// Positions of all vertices and their unit normals in a posture, in the frame in which the posture's root is given.
+  /// Takes some milliseconds.
   void pose(const Posture& posture, std::vector<fvec3>& places, std::vector<fvec3>& normals) const;
 
  private:
@@ -45,7 +45,7 @@ class FigureSkin {
   struct Vertex {
     fvec3 place, normal;
     SkinWeights weights;
-    float straight = 0.0f;  ///< How much it is blended in straight lines.
+    float straight = 0.0f;  ///< Share of linear blending.
   };
   std::shared_ptr<const Figure> figure_;
   std::vector<Vertex> vertices_;

@@ -26,7 +26,7 @@ std::array<std::array<Phalanx, kPhalanges>, kDigits> phalangesOf(const Figure& f
 /// How each phalanx turns in the one before: curl for all three of a finger; for the thumb abduction, flexion, flexion.
 std::array<std::array<dmat3, kPhalanges>, kDigits> phalanxRotations(const Posture& posture, Side side);
 
-/// Places (frame at the joint, in the world) of all phalanges of a hand that stands at `hand`.
+/// Poses (frame at the joint, in the world) of all phalanges of a hand at `hand`.
 std::array<std::array<SegmentPlace, kPhalanges>, kDigits> phalanxPlaces(const Figure& figure, const Posture& posture,
                                                                         Side side, const SegmentPlace& hand);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mannequin/shape/body_shape.h"
 #include "mannequin/body/figure.h"
+#include "mannequin/shape/body_shape.h"
 
 namespace hapticell::mannequin {
 
 inline constexpr std::array<float, 3> kSkinColor{0.80f, 0.62f, 0.52f};
 
-/// Sizes by which a head is drawn, from the figure's measures; places are given from the point under the vertex at the
-/// height of the eyes: x ahead, y left, z up, in metres of a man of 1.755 m.
+/// Sizes for drawing a head, from the figure's measures; positions are relative to the point under the vertex at the
+/// height of the eyes: x forward, y left, z up, in metres of a man of 1.755 m.
 struct HeadMeasures {
   explicit HeadMeasures(const Figure& figure);
   dvec3 at(double x, double y, double z) const { return origin + scale * dvec3(x, y, z); }

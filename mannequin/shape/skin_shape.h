@@ -9,28 +9,28 @@
 
 namespace hapticell::mannequin {
 
-/// What a figure wears, and what of it is bare: each a separate closed surface that extends under the next one.
+/// Layers of clothing and bare skin of a figure: each a separate closed surface that extends under the next one.
 enum class Layer : std::uint8_t { kShirt, kTrousers, kBelt, kShoes, kHands, kHead };
 inline constexpr std::size_t kLayers = 6;
 
-/// The posture in which the skin is shaped, arms and legs apart, and where all bodies are in it (fleshOf()'s order).
-/// Fingers are spread there, beyond what their joints do, so that their surfaces do not run into each other.
+/// The posture in which the skin is shaped, arms and legs apart, and the poses of all bodies in it (fleshOf()'s order).
+/// Fingers are spread there, beyond the range of their joints, so that their surfaces do not intersect.
 Posture bindPosture();
 std::vector<SegmentPlace> bindPlaces(const Figure& figure);
 
-/// The outer shape of a figure in the bind posture, from published breadths, depths and girths (girths.h); what no
-/// table has (profiles between the sections, muscles) is our own choice.
+/// The outer shape of a figure in the bind posture, from published breadths, depths and girths (girths.h); profiles
+/// between the sections and muscles are our own choice.
 class SkinShape {
  public:
   explicit SkinShape(const Figure& figure);
 
-  /// About the distance (m) to the bare surface, negative inside; without hands, head and feet.
+  /// Approximate distance (m) to the bare surface, negative inside; without hands, head and feet.
   double body(const dvec3& p) const;
   /// The same without the limbs and the neck.
   double torso(const dvec3& p) const;
-  /// The same to a layer's surface, as if it went on a little beyond its hems.
+  /// The same to the surface of a layer, as if it continued a little beyond its hems.
   double layer(Layer layer, const dvec3& p) const;
-  /// How far (m) a point lies within the hems that a layer is cut off at; negative beyond.
+  /// Distance (m) of a point inside the hems of a layer; negative beyond.
   double withinHems(Layer layer, const dvec3& p) const;
   geometry::Bounds bounds(Layer layer) const;
 
@@ -38,7 +38,7 @@ class SkinShape {
   const SectionTube& arm(Side side) const { return arms_[static_cast<std::size_t>(side)]; }
   const SectionTube& leg(Side side) const { return legs_[static_cast<std::size_t>(side)]; }
   const SectionTube& neck() const { return neck_; }
-  /// About the distance to the head's surface, m.
+  /// Approximate distance to the head's surface, m.
   double skull(const dvec3& p) const { return fleshAt(indexOf(Segment::kHead), p); }
   const std::vector<SegmentPlace>& places() const { return places_; }
 

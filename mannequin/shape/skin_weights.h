@@ -8,32 +8,32 @@
 
 namespace hapticell::mannequin {
 
-/// Frames that a point of the skin may go along with: the bodies as fleshOf() counts them, then by sides the eyes and
-/// the upper arms as they are swung without their twist.
+/// Frames that can move a point of the skin: the bodies in the order of fleshOf(), then for each side the eye and the
+/// upper arm swung without its twist.
 inline constexpr std::size_t kEyeBones = kBodies, kSwungArms = kBodies + 2, kSkinBones = kBodies + 4;
 
-/// How much each of a few bones carries a point of the skin along; shares add up to 1, largest first.
+/// The weights of a few bones for a point of the skin; the sum is 1, largest first.
 struct SkinWeights {
-  /// Bones that carry a point, those with the largest shares (docs/dev/mannequin.md). Half: folds where trunk, neck and
-  /// arm meet; twice: larger vertices for shares near 0.
+  /// Bones per point, those with the largest weights (docs/dev/mannequin.md). Half: folds where trunk, neck and arm
+  /// meet; twice: larger vertices for weights near 0.
   static constexpr std::size_t kMost = 5;
   std::array<std::uint8_t, kMost> bone{};
   std::array<float, kMost> share{};
 
-  /// How much a body carries, its swung frame counted with it.
+  /// The weight of a body, including its swung frame.
   float of(std::size_t body) const;
-  /// The body that carries most.
+  /// The body with the largest weight.
   std::size_t owner() const;
-  /// How far an arm and the trunk share it: 0 neither, up to 1 where they do evenly. There straight blending keeps the
-  /// armpit hollow, where turns would blow it up.
+  /// How evenly an arm and the trunk share it: 0 not at all, up to 1 for equal weights. There linear blending keeps the
+  /// armpit hollow; blending of rotations would inflate it.
   float straight() const;
 };
 
-/// The body that a bone belongs to; the head for eyes.
+/// The body of a bone; the head for eyes.
 std::size_t bodyOfBone(std::size_t bone);
 
-/// Shares of the bodies as a smooth function of the place in the bind posture, the same for all layers, so that what
-/// lies over each other moves together.
+/// Weights of the bodies as a smooth function of the position in the bind posture, the same for all layers, so that
+/// overlapping layers move together.
 class SkinWeighing {
  public:
   SkinWeighing(const Figure& figure, const SkinShape& shape);

@@ -7,20 +7,20 @@
 
 namespace hapticell::mannequin {
 
-/// Values of a field on a grid; the same call for a whole block lets the field choose what matters there.
+/// Values of a field on a grid, evaluated for whole blocks so that the field can select the relevant parts.
 struct GridField {
-  geometry::Bounds bounds;  ///< The surface lies inside.
+  geometry::Bounds bounds;  ///< Bounds of the surface.
   double cell = 0.01;       ///< m
-  /// About the distance to the surface of all of `points`, into `values`; `centre` and `radius` bound the points.
+  /// Approximate distance to the surface at all of `points`, into `values`; `centre` and `radius` bound the points.
   std::function<void(const dvec3& centre, double radius, const std::vector<dvec3>& points, std::vector<double>& values)>
       evaluate;
 };
 
-/// The surface where the field is zero, outward where it is positive: naive surface nets (S. F. F. Gibson, 1998), a
+/// The surface where the field is zero, with positive values outside: naive surface nets (S. F. F. Gibson, 1998), a
 /// vertex per cell that the surface crosses, at the mean of its crossings.
 geometry::TriangleMesh surfaceOf(const GridField& field);
 
-/// Rounds off what is as fine as the cells without shrinking: G. Taubin, "A signal processing approach to fair surface
+/// Smooths details of the size of the cells without shrinking: G. Taubin, "A signal processing approach to fair surface
 /// design" (1995), its pair of steps a few times.
 void smoothSkin(geometry::TriangleMesh& mesh);
 

@@ -21,11 +21,11 @@ std::string changeWords(const FieldChange& change, Language language);
 /// Empty without drivers.
 std::string driverWords(const MethodAdvice& advice, Language language, std::size_t most = 3);
 
-/// "trunk forward 65° to 60°, shoulder raised: no gives RULA 4"; says so where no change of posture alone helps, and is
-/// empty at the least level.
+/// "trunk forward 65° to 60°, shoulder raised: no gives RULA 4"; says so if no change of posture alone helps; empty at
+/// the least level.
 std::string nextLevelWords(const MethodAdvice& advice, Language language);
 
-/// "70 mm lower: RULA 4". `posture` tells which way is ahead.
+/// "70 mm lower: RULA 4". `posture` defines the forward direction.
 std::string placeWords(const BetterPlace& place, const mannequin::Posture& posture, PostureMethod method,
                        Language language);
 

@@ -9,30 +9,30 @@
 
 namespace hapticell::ergonomics {
 
-/// One body at the place and at the targets of another.
+/// One body at the place and the targets of another.
 struct BodyAtTask {
   std::string name;  ///< "P5F" ...
   mannequin::Figure figure;
   mannequin::Posture posture;
   bool is_reached = false;
-  double short_m = 0.0;       ///< What the worse hand lacks.
-  double reach_left_m = 0.0;  ///< What the arm's length has left, of the arm that has less.
+  double short_m = 0.0;       ///< Distance of the worse hand to its target.
+  double reach_left_m = 0.0;  ///< Remaining reach of the arm that has less.
   PostureScores scores;
 };
 
-/// Which hands do something: raised, or bent; where neither is, the right one.
+/// The hands that work: raised or bent; if neither is, the right one.
 std::array<bool, 2> activeHands(const mannequin::FigurePose& pose, const mannequin::Posture& posture);
 
-/// m that the arm's length has left to the grips, of the active arm that has less; 0 where it is straight.
+/// Remaining reach (m) of the active arm that has less, to its grip; 0 if it is straight.
 double reachLeft(const mannequin::Figure& figure, const mannequin::FigurePose& pose, const std::array<bool, 2>& active);
 
-/// The same work done by other bodies: their feet where `posture`'s stand, their grips where its active hands' grips
-/// are (turned alike), all limits and balance kept; the body of the figure's own sex and stature is unchanged. Well
-/// under a millisecond a body; any thread.
+/// The same work done by other bodies: feet and active grips at the same places as in `posture` (grips turned alike),
+/// with all limits and balance kept; the figure's own sex and stature is unchanged. Well under a millisecond per body;
+/// any thread.
 std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bodies, const mannequin::Figure& figure,
                                    const mannequin::Posture& posture, const WorkTask& task);
 
-/// RULA of each body with the targets moved up by each of `rises` (m); 0 where the body does not reach them there.
+/// RULA of each body with the targets moved up by each of `rises` (m); 0 if the body does not reach them there.
 std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedFigure>& bodies,
                                              const mannequin::Figure& figure, const mannequin::Posture& posture,
                                              const WorkTask& task, const std::vector<double>& rises);
@@ -41,7 +41,7 @@ std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedF
 mannequin::PostureTask taskAt(const mannequin::Figure& from, const mannequin::Posture& posture,
                               const mannequin::Figure& figure, const dvec3& shift_W);
 
-/// `posture`'s angles on another body that stands (or sits) on the same place.
+/// The angles of `posture` on another body that stands (or sits) at the same place.
 mannequin::Posture standingAt(const mannequin::Figure& from, const mannequin::Posture& posture,
                               const mannequin::Figure& figure);
 

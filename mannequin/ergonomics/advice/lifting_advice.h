@@ -15,7 +15,7 @@ namespace hapticell::ergonomics {
 int liftingLevel(const std::optional<double>& index);
 std::string_view liftingLevelName(int level);
 
-/// A multiplier below 1, and what a single task's index would be if it were 1.
+/// A multiplier below 1, and the index of a single task if it were 1.
 struct LiftingDriver {
   std::string_view field;       ///< "h_cm", "v_cm", "d_cm", "asymmetry_deg", "frequency_per_min", "coupling".
   std::string_view multiplier;  ///< "HM" ...
@@ -23,28 +23,29 @@ struct LiftingDriver {
   std::optional<double> index{};  ///< Empty if a multiplier is 0, or for several tasks.
 };
 
-/// A change of one input of the lift. Of the coupling: 0 good, 1 fair, 2 poor.
+/// A change of one input of the lift. Coupling: 0 good, 1 fair, 2 poor.
 struct LiftingChange {
   std::string_view field;
   double from = 0.0;
   double to = 0.0;
-  std::optional<double> index{};  ///< With it (and those before it in a list that goes together).
+  std::optional<double> index{};  ///< With it (and those before it in a list of changes made together).
 };
 
 /// The reasons for a lifting index, and the changes that bring it to the next lower level.
 struct LiftingAdvice {
   int level = 1;
-  double target = 1.0;                    ///< The index to come down to: 1 or 3.
-  std::vector<LiftingDriver> drivers{};   ///< The multiplier that costs most first.
-  std::vector<LiftingChange> alone{};     ///< Each the smallest change of its input that alone is enough.
-  std::vector<LiftingChange> together{};  ///< Where only the load alone, or nothing, is enough: these in turn do it.
+  double target = 1.0;                   ///< The index to reach: 1 or 3.
+  std::vector<LiftingDriver> drivers{};  ///< The multiplier with the greatest effect first.
+  std::vector<LiftingChange> alone{};    ///< For each input, the smallest change that suffices alone.
+  /// If only the load alone, or no single input, suffices: these changes, made together in this order.
+  std::vector<LiftingChange> together{};
 };
 
-/// The index that a task leads to; empty where its limit is 0.
+/// The index of a task; empty if its limit is 0.
 using LiftingIndex = std::function<std::optional<double>(const LiftingTask&)>;
 
-/// Changes of one task's inputs. `index_of` computes the index of the changed task (alone, or composite with others);
-/// `result` is that of the task as it is.
+/// Changes of the inputs of one task. `index_of` computes the index of the changed task (alone, or composite with
+/// others); `result` is that of the unchanged task.
 LiftingAdvice adviseLift(const LiftingTask& task, const LiftingResult& result, const LiftingIndex& index_of);
 /// For a single task.
 LiftingAdvice adviseLift(const LiftingTask& task, const LiftingResult& result);

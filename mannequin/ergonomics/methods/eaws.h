@@ -31,7 +31,7 @@ inline constexpr std::size_t kEawsPostureCount = static_cast<std::size_t>(EawsPo
 
 std::string_view nameOf(EawsPosture posture);
 
-/// What decides between the lines.
+/// The observations that select the line.
 struct EawsObservation {
   double trunk_flexion = 0.0;  ///< Degrees, either way.
   bool hands_above_head = false;
@@ -42,10 +42,11 @@ struct EawsObservation {
   bool trunk_supported = false;
 };
 
-/// The line of an observed posture: bent from over 20 deg, far from over 60; raised arms count before a bent trunk.
+/// The line of an observed posture: bent from over 20 deg, strongly bent from over 60; raised arms take priority over a
+/// bent trunk.
 EawsPosture eawsPosture(const EawsObservation& observed);
 
-/// The posture of the same kind (standing, sitting, kneeling) with the fewest points; itself for the others.
+/// The posture of the same kind (standing, sitting, kneeling) with the fewest points; other postures map to themselves.
 EawsPosture easiestOfKind(EawsPosture posture);
 
 /// An outline of the posture section of EAWS 1.3.6: points for the share of the cycle (0 to 1) spent in each posture,
@@ -54,23 +55,23 @@ EawsPosture easiestOfKind(EawsPosture posture);
 /// values are disputed: no complete EAWS score.
 double eawsPosturePoints(const std::array<double, kEawsPostureCount>& shares);
 
-/// One line's part in the points, the costliest first; lines without points are left out.
+/// The share of one line in the points, largest first; lines without points are omitted.
 struct EawsDriver {
   EawsPosture posture;
   double share = 0.0;
   double points = 0.0;  ///< Of this line.
-  double score = 0.0;   ///< All points, were its share spent in the easiest posture of its kind.
+  double score = 0.0;   ///< All points if its share were spent in the easiest posture of its kind.
 };
 std::vector<EawsDriver> eawsDrivers(const std::array<double, kEawsPostureCount>& shares);
 
-/// A share of the cycle spent in an easier posture of the same kind instead.
+/// A share of the cycle moved to an easier posture of the same kind.
 struct EawsShift {
   EawsPosture from, to;
   double share = 0.0;  ///< Moved, rounded up to a thousandth.
-  double score = 0.0;  ///< All points with it and the shifts before it.
+  double score = 0.0;  ///< All points with this shift and those before it.
 };
-/// The changes that lower the level: the lines in the order of eawsDrivers(), each whole but the last, which gives only
-/// what is needed. Empty at the least level, or where no shift within the kinds is enough.
+/// The changes that lower the level: the lines in the order of eawsDrivers(), each completely except the last, which is
+/// shifted only as much as needed. Empty at the least level, or if no shift within the kinds suffices.
 std::vector<EawsShift> eawsNextLevel(const std::array<double, kEawsPostureCount>& shares);
 
 /// 1 green (up to 25 points), 2 yellow (to 50), 3 red.

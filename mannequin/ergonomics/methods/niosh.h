@@ -12,10 +12,10 @@ namespace hapticell::ergonomics {
 
 enum class Coupling { kGood, kFair, kPoor };
 
-/// One lifting task, as the worksheet of the revised NIOSH equation asks for it.
+/// Data of one lifting task for the worksheet of the revised NIOSH equation.
 struct LiftingTask {
   double load_kg = 0.0;
-  double h_cm = 25.0;  ///< Hands from the middle of the ankles, horizontally.
+  double h_cm = 25.0;  ///< Horizontal distance of the hands from the middle of the ankles.
   double v_cm = 75.0;  ///< Hands above the floor, at the start of the lift.
   double d_cm = 25.0;  ///< Height the load is lifted or lowered by.
   double asymmetry_deg = 0.0;
@@ -24,7 +24,7 @@ struct LiftingTask {
   Coupling coupling = Coupling::kGood;
 };
 
-/// What puts a task outside the equation's validity; the equation is then not applied.
+/// Conditions outside the validity of the equation; the equation is then not applied.
 struct LiftingConditions {
   bool one_handed = false;
   bool seated_or_kneeling = false;
@@ -36,17 +36,17 @@ struct LiftingConditions {
   bool slippery_floor = false;
 };
 
-/// Multipliers (0 to 1) and what they make of 23 kg.
+/// Multipliers (0 to 1) and the resulting part of 23 kg.
 struct LiftingResult {
   double hm = 0.0, vm = 0.0, dm = 0.0, am = 0.0, fm = 0.0, cm = 0.0;
   double recommended_weight_limit_kg = 0.0;
   double frequency_independent_limit_kg = 0.0;  ///< With FM = 1.
-  std::optional<double> lifting_index;          ///< Empty where the limit is 0: no load is acceptable.
+  std::optional<double> lifting_index;          ///< Empty if the limit is 0: no load is acceptable.
   std::optional<double> frequency_independent_index;
   std::vector<std::string> assumptions{};
 };
 
-/// Refuses the first value that is outside its range, by name.
+/// Refuses the first value outside its range, by name.
 Expected<void> checkLiftingRanges(const LiftingTask& task);
 
 /// The revised NIOSH lifting equation (Waters, Putz-Anderson & Garg, "Applications manual for the revised NIOSH
@@ -54,15 +54,15 @@ Expected<void> checkLiftingRanges(const LiftingTask& task);
 /// its range, or conditions outside the validity, are refused by name.
 Expected<LiftingResult> lift(const LiftingTask& task, const LiftingConditions& conditions = {});
 
-/// Several tasks of one shift done in turn: the composite lifting index of the manual, its section 1.3.
+/// Several tasks of one shift done in turn: the composite lifting index of the manual, section 1.3.
 struct CompositeLifting {
   double index = 0.0;
-  std::vector<std::size_t> order{};  ///< Tasks by falling single-task index.
+  std::vector<std::size_t> order{};  ///< Tasks by decreasing single-task index.
   std::vector<LiftingResult> tasks{};
 };
 Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, const LiftingConditions& conditions = {});
 
-/// Frequency multiplier, linear between the rows of the manual's table 5. Below 0.2/min as 0.2; above 15/min 0.
+/// Frequency multiplier, linear between the rows of the manual's table 5. Below 0.2/min as at 0.2; above 15/min 0.
 double frequencyMultiplier(double frequency_per_min, double duration_h, double v_cm);
 
 }  // namespace hapticell::ergonomics

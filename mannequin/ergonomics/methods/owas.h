@@ -29,7 +29,7 @@ class Owas final : public ScoredMethod {
   static std::string_view meaning(Index digit, int value);
 };
 
-/// A whole posture as OWAS sees it: both arms and both legs. Degrees; hands and elbows against the shoulders.
+/// A whole posture for OWAS: both arms and both legs. Degrees; hands and elbows relative to the shoulders.
 struct OwasPosture {
   double trunk_flexion = 0.0;
   double trunk_twist = 0.0;

@@ -36,40 +36,43 @@ struct ObservedLegs {
   std::optional<bool> legs_supported;  ///< RULA: feet supported and evenly balanced.
   std::optional<bool> legs_bilateral;  ///< REBA: weight on both legs, or walking.
   std::optional<bool> seated;
-  std::optional<double> off_seat;  ///< Degrees that a standing figure lacks to be seated: REBA's legs go up with it.
+  /// Degrees by which a standing figure differs from seated: REBA's score of the legs increases with it.
+  std::optional<double> off_seat;
 };
 
-/// A posture as the observation methods ask for it: one side's arm, and the body. Angles in degrees, as a person with
-/// a worksheet reads them; what nobody observed is empty and never scored as zero.
+/// A posture in the terms of the observation methods: the arm of one side, and the body. Angles in degrees, as a person
+/// with a worksheet reads them; values that nobody observed are empty and never scored as zero.
 ///
-/// Flexion is positive forwards (wrist: either way), extension negative; the elbow and the knee are 0 when straight;
-/// the upper arm and the neck are measured against the trunk, the trunk against the vertical.
+/// Flexion is positive forwards (wrist: both directions), extension negative; the elbow and the knee are 0 when
+/// straight; the upper arm and the neck are measured against the trunk, the trunk against the vertical.
 struct PostureAngles : ObservedArm, ObservedTrunk, ObservedLegs {
-  /// By an instrument or on a figure, not by eye: then kNeutralBand counts, and RULA's neck leads up to its extension
-  /// class by class. Not given: by eye, and the methods' text is followed to the letter.
+  /// Measured by an instrument or on a figure, not observed: kNeutralBand is then applied, and RULA's neck classes grow
+  /// step by step up to extension. Not given: observed, and the text of the method is applied literally.
   std::optional<bool> measured;
 };
 
-/// A measured angle of trunk, neck or wrist within so many degrees of 0 is neutral: the methods name no width, and
-/// noise of 0.1 deg would decide. Half: noise of marker sets does; twice: all of RULA's first class.
+/// A measured angle of trunk, neck or wrist within this many degrees of 0 counts as neutral: the methods give no width,
+/// and noise of 0.1 deg would decide. Half: noise of marker sets decides; twice: all of RULA's first class.
 inline constexpr double kNeutralBand = 5.0;
-/// RULA's neck behind the band, measured: up to so many degrees of extension it is class 2, then 3, beyond 4.
-/// Chosen so that one degree changes the class by one (PostureSweep). Half or less than 1 apart: it does by two; twice:
-/// 16 deg of extension is not 4 yet.
+/// RULA's neck beyond the band, measured: up to this many degrees of extension it is class 2, then 3, then 4. Chosen so
+/// that one degree changes the class by one (PostureSweep). Half or less than 1 apart: by two; twice: 16 deg of
+/// extension is not yet class 4.
 inline constexpr double kNeckSecond = 6.5, kNeckThird = 8.0;
 
-/// Degrees within which legs that are nearly seated go from REBA's class of the seated to their own, three classes 1.5
-/// apart, so that one degree changes one (PostureSweep). Half: it does by two; twice: half squats count as seated.
+/// The range, in degrees, over which nearly seated legs change from REBA's class of the seated to their own, in three
+/// classes 1.5 apart, so that one degree changes one class (PostureSweep). Half: two classes; twice: half squats count
+/// as seated.
 inline constexpr double kOffSeat = 4.5;
 
-/// The angle as it is classed: 0 where it is measured and neutral.
+/// The angle for classification: 0 if it is measured and neutral.
 double neutralSettled(const PostureAngles& angles, double degrees);
 
 /// One side's arm in MeasuredPosture.
 struct MeasuredArm {
   double upper_arm_flexion = 0.0;
   double upper_arm_abduction = 0.0;
-  std::optional<double> upper_arm_elevation;  ///< Against hanging, whichever way; not given: out of the two before it.
+  /// Angle from hanging, in any direction; not given: computed from the two before it.
+  std::optional<double> upper_arm_elevation;
   double upper_arm_rotation = 0.0;
   double girdle_elevation = 0.0;
   double lower_arm_flexion = 0.0;
@@ -95,15 +98,15 @@ struct MeasuredLegs {
   double knee_flexion = 0.0;           ///< The more bent one.
   double share_on_heavier_foot = 0.5;  ///< Of the weight, 0.5 to 1.
   bool seated = false;
-  double off_seat = 180.0;  ///< Degrees that it lacks to be seated; 0 or less where it is.
+  double off_seat = 180.0;  ///< Degrees missing to a seated posture; 0 or less if seated.
 };
 
-/// PostureAngles measured on a figure, where twist, side bend and the rest are angles too. Each is of its own plane
-/// (see view_planes.h): a bend to the side has no flexion, a turn has neither.
+/// PostureAngles measured on a figure, with twist, side bend and the like also as angles. Each is in its own plane (see
+/// view_planes.h): a side bend has no flexion, a twist has neither.
 struct MeasuredPosture : MeasuredArm, MeasuredTrunk, MeasuredLegs {};
 
-/// From which angles on a figure counts as twisted, abducted and so on, degrees. The methods' texts name none: 10 deg
-/// is "clearly visible" in EN 1005-4, the others are this project's choice, printed in each report.
+/// The angles from which a figure counts as twisted, abducted and so on, degrees. The texts of the methods give none:
+/// 10 deg is "clearly visible" in EN 1005-4, the others are this project's choice, printed in each report.
 struct PostureThresholds {
   double twist = 10.0;
   double side_bend = 10.0;
@@ -119,7 +122,7 @@ struct PostureThresholds {
   double neutral_wrist = kNeutralBand;
 };
 
-/// Marked as measured. `arm_supported` and `trunk_supported` are left empty: no figure shows them.
+/// Marked as measured. `arm_supported` and `trunk_supported` are left empty, because a figure does not show them.
 PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresholds& thresholds = {});
 
 }  // namespace hapticell::ergonomics

@@ -38,9 +38,9 @@ class Rula final : public ScoredMethod {
   std::string_view levelName(int level) const override;
 };
 
-/// Posture sub-scores of one side; muscle use and force stay empty, as angles do not show them. Boundaries: an inner
-/// boundary belongs to the lower class, the last class includes its boundary ("or more"). A sub-score whose angle is
-/// not given is empty. `unknown` gets the names of modifiers that were not given and were taken as absent.
+/// Posture sub-scores of one side; muscle use and force stay empty, because angles do not show them. Boundaries: an
+/// inner boundary belongs to the lower class, the last class includes its boundary ("or more"). A sub-score without an
+/// angle is empty. `unknown` receives the names of modifiers that were not given and were taken as absent.
 Rula::Values rulaValues(const PostureAngles& angles, std::vector<std::string_view>& unknown);
 
 }  // namespace hapticell::ergonomics

@@ -14,8 +14,8 @@ struct SubScore {
   std::string_view name;  ///< As in files and reports, e.g. "upper_arm".
   int least = 1;
   int greatest = 1;
-  /// A posture is not scored without it. Others (modifiers, loads) are taken as `least` where they are not given, and
-  /// the score is then marked as partial.
+  /// Required: a posture is not scored without it. Others (modifiers, loads) are taken as `least` if they are not
+  /// given, and the score is then marked as partial.
   bool required = true;
 };
 
@@ -29,7 +29,7 @@ struct TableEntry {
   int value = 0;
 };
 
-/// What a method makes of complete sub-scores.
+/// The result of a method for complete sub-scores.
 struct Evaluation {
   int score = 0;
   int level = 0;  ///< The method's action level (ScoredMethod::levelName says what it means).
@@ -54,11 +54,11 @@ class ScoredMethod {
   virtual Evaluation evaluate(std::span<const int> values) const = 0;
   virtual int levelOf(int score) const = 0;
   virtual std::string_view levelName(int level) const = 0;
-  /// A lower sub-score never raises the score. (OWAS numbers its postures without such an order.)
+  /// True if a lower sub-score never raises the score. (OWAS numbers its postures without such an order.)
   virtual bool isOrdered() const { return true; }
 };
 
-/// One sub-score by whose change the score would fall.
+/// One sub-score whose change would lower the score.
 struct Driver {
   std::string_view sub_score;
   int from = 0;
@@ -80,20 +80,20 @@ struct NextLevel {
 
 /// A score with its reasons.
 struct Assessment {
-  std::optional<int> score;  ///< Empty where a required sub-score is missing and matters.
+  std::optional<int> score;  ///< Empty if a required sub-score is missing and matters.
   std::optional<int> level;
   int least_score = 0;     ///< Over all values that missing sub-scores could have.
-  int greatest_score = 0;  ///< Equal to least_score where nothing is missing.
+  int greatest_score = 0;  ///< Equal to least_score if nothing is missing.
   std::vector<std::string_view> missing{};
   std::vector<int> values{};  ///< The sub-scores used; 0 for a required one that is missing.
   std::optional<Evaluation> evaluation{};
-  std::vector<Driver> drivers{};  ///< Largest fall first.
+  std::vector<Driver> drivers{};  ///< Largest decrease first.
   std::optional<NextLevel> next_level{};
 
   bool isPartial() const { return !missing.empty(); }
 };
 
-/// Scores `values` (one for each of method.subScores(), empty where not known) and finds what drives the score.
+/// Scores `values` (one for each of method.subScores(), empty if unknown) and finds what drives the score.
 /// @pre each given value lies within its range.
 Assessment assess(const ScoredMethod& method, std::span<const std::optional<int>> values);
 

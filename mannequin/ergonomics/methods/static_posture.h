@@ -10,7 +10,7 @@
 
 namespace hapticell::ergonomics {
 
-/// How one body part fares in a method that judges part by part.
+/// The result for one body part in a method that judges part by part.
 enum class Zone { kAcceptable, kConditional, kNotAcceptable };
 
 std::string_view nameOf(Zone zone);
@@ -34,14 +34,15 @@ struct PostureUse {
   bool is_static = false;  ///< Held for more than a few seconds.
   bool trunk_supported = false;
   bool arm_supported = false;
-  bool measured = false;  ///< On a figure or in a recording, not typed: see kNearLimit.
+  bool measured = false;  ///< Measured on a figure or in a recording, not typed: see kNearLimit.
 };
 
-/// A measured angle that is beyond a limit by so many degrees at most is conditional where the standard knows nothing
-/// between acceptable and not. No measurement is better. Half: one degree decides (PostureSweep); twice: 3 deg pass.
+/// A measured angle that exceeds a limit by at most this many degrees is conditional if the standard has no class
+/// between acceptable and not acceptable. No measurement is more accurate. Half: one degree decides (PostureSweep);
+/// twice: 3 deg pass.
 inline constexpr double kNearLimit = 1.5;
 
-/// What EN 1005-4 and ISO 11226 look at, degrees.
+/// Inputs of EN 1005-4 and ISO 11226, degrees.
 struct ZonePosture {
   MeasuredPosture measured;
   double gaze_below_horizontal = 0.0;  ///< EN 1005-4.
@@ -49,8 +50,8 @@ struct ZonePosture {
   PostureUse use;
 };
 
-/// The same of angles that were measured: a trunk that leans back, a head or a gaze that points up within kNeutralBand
-/// counts as level. The standards' 0 has no width, and nobody is exactly at it. Marked as measured.
+/// The same for measured angles: a trunk that leans back, a head or a gaze that points up within kNeutralBand counts as
+/// level, because the standards' 0 has no width. Marked as measured.
 ZonePosture settledZones(ZonePosture posture);
 
 /// EN 1005-4:2005 (evaluation of working postures in relation to machinery), its zones for trunk, upper arm, head and

@@ -7,23 +7,23 @@
 
 #include "mannequin/ergonomics/advice/better_place.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
-#include "mannequin/ergonomics/scores/force_table.h"
 #include "mannequin/ergonomics/report/report.h"
 #include "mannequin/ergonomics/report/report_findings.h"
+#include "mannequin/ergonomics/scores/force_table.h"
 #include "mannequin/ergonomics/scores/score_words.h"
 
 namespace hapticell::ergonomics {
 
-/// Everything that a report of a posture says.
+/// The content of a report of a posture.
 struct PostureReportInput {
   std::string subtitle;  ///< Cell and mannequin.
-  std::string date;      ///< As it shall be printed; reports know no clock.
-  std::string source;    ///< The file that the posture is from; empty: as it stands in the cell.
+  std::string date;      ///< As printed; reports do not read a clock.
+  std::string source;    ///< The file of the posture; empty: the present posture in the cell.
   Language language = Language::kEnglish;
   mannequin::Figure figure;
   mannequin::Posture posture;
   WorkTask task;
-  std::vector<BodyAtTask> bodies{};           ///< Others at the same task; empty: none is shown.
+  std::vector<BodyAtTask> bodies{};           ///< Other bodies at the same task; empty: not shown.
   std::vector<ReportBlock::Strip> history{};  ///< Along a recorded motion.
   double history_seconds = 0.0;
   BetterPlaces places{};    ///< Placements of the work that would lower each method's level.
@@ -39,7 +39,7 @@ struct PostureReportInput {
 /// The posture's page: picture, body, task, result, four bodies, drivers, sub-scores, zones, assumptions, joint angles.
 Report postureReport(const PostureReportInput& input);
 
-/// The task's page: its data, exposure over the recorded motion, bodies, lifting, what is missing.
+/// The page of the task: its data, exposure over the recorded motion, bodies, lifting, missing inputs.
 Report taskReport(const PostureReportInput& input);
 
 /// The picture of a figure with its segments in the colours of a method.

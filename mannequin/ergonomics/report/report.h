@@ -8,30 +8,31 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/vector.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::ergonomics {
 
-// A page that says what a posture or a task was found to be, independent of how it is written.
+// A page with the assessment of a posture or a task, independent of the file format.
 
-/// One shape of the picture, in metres right and up; filled in a score's band (0 to 3, with its pattern) or plain (-1).
+/// One shape of the picture, in metres right and up; filled in the colour of a score's band (0 to 3, with its pattern)
+/// or plain (-1).
 struct ReportShape {
   std::vector<glm::dvec2> outline{};
   int band = -1;
-  std::size_t group = 0;  ///< Shapes of one group are one body: outlined together.
+  std::size_t group = 0;  ///< Shapes of one group are one body with a common outline.
 };
 
-/// A few lines under a heading, or a table, or coloured strips along one scale.
+/// Lines under a heading, or a table, or coloured strips on one scale.
 struct ReportBlock {
-  std::string heading;               ///< Empty: none is shown.
+  std::string heading;               ///< Empty: no heading.
   std::vector<std::string> lines{};  ///< Text; wrapped.
   struct Cell {
     std::string text;
-    int band = -1;  ///< A patch of the score's colour and pattern next to the text; -1: none.
+    int band = -1;  ///< A patch of the score's colour and pattern next to the text; -1: no patch.
   };
   std::vector<std::string> columns{};  ///< Of a table.
-  bool flows = false;                  ///< Pages show the rows (name, value) as running text, without those at 0.0.
+  bool flows = false;  ///< The page shows the rows (name, value) as running text, without those that are 0.0.
   std::vector<std::vector<Cell>> rows{};
   struct Strip {
     std::string name;
@@ -59,20 +60,20 @@ struct Report {
   std::string result{};               ///< The one number, "6".
   int result_band = -1;
   std::string result_words{};               ///< "RULA, change soon"
-  std::vector<ReportBlock> under_result{};  ///< Beside the picture too, under the one number.
+  std::vector<ReportBlock> under_result{};  ///< Also beside the picture, under the large number.
   std::vector<ReportBlock> blocks{};
-  std::vector<std::string> signatures{};  ///< Words under the lines at the foot.
+  std::vector<std::string> signatures{};  ///< Words under the lines at the bottom.
 };
 
-/// Comma-separated: heading, then rows; text in quotes where it must be. UTF-8.
+/// Comma-separated: heading, then rows; text is quoted if necessary. UTF-8.
 std::string reportCsv(const Report& report);
 /// The same as JSON, "format":"hapticell-ergonomics-report","version":1 (docs/user/formats.md).
 std::string reportJson(const Report& report);
-/// One file with everything in it, the figure as SVG, the scene as PNG; prints on A4.
+/// One self-contained file, the figure as SVG, the scene as PNG; prints on A4.
 std::string reportHtml(const Report& report);
 
-/// One A4 page, all drawn smaller (to two thirds) where it must be; what is longer takes several. Errors: a file that
-/// cannot be written.
+/// One A4 page, reduced (to two thirds) if necessary; longer reports take several pages. Errors: a file that cannot be
+/// written.
 Expected<void> writeReportPdf(const Report& report, const std::filesystem::path& file);
 
 /// A page as a picture, `width` pixels wide in A4's proportion. Any thread.
@@ -83,7 +84,7 @@ int reportPages(const Report& report);
 std::string pngOf(const ReportPicture& picture);
 Expected<ReportPicture> readPng(const std::filesystem::path& file);
 
-/// By the file's ending: .pdf, .html, .csv, .json; another one is refused.
+/// Chosen by the extension: .pdf, .html, .csv, .json; any other is refused.
 Expected<void> writeReport(const Report& report, const std::filesystem::path& file);
 
 /// Colours of the bands 0 to 3, sRGB.

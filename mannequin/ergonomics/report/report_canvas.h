@@ -36,7 +36,7 @@ class ReportCanvas {
     cairo_set_font_size(cr_, size);
   }
 
-  /// Letters as wide on a small picture of a page as on paper, so that lines break alike.
+  /// Letters are as wide on a small picture of a page as on paper, so that lines break at the same places.
   void exactWidths() {
     struct End {
       void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
@@ -97,7 +97,7 @@ class ReportCanvas {
     }
   }
 
-  /// Fills the current path in the band's colour and pattern and forgets it.
+  /// Fills the current path in the band's colour and pattern and clears the path.
   void fillPath(int band) {
     fill(band);
     cairo_fill_preserve(cr_);
@@ -130,7 +130,7 @@ class ReportCanvas {
   }
 
   cairo_t* cr_ = nullptr;
-  double y_ = 0.0;  ///< Where the next line begins.
+  double y_ = 0.0;  ///< Position of the next line.
 };
 
 }  // namespace hapticell::ergonomics

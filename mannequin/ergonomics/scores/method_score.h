@@ -8,7 +8,7 @@
 
 namespace hapticell::ergonomics {
 
-/// The methods that give a posture a level, and can therefore suggest how to lower it.
+/// The methods that assign a level to a posture, and can therefore suggest how to lower it.
 enum class PostureMethod { kRula, kReba, kOwas, kEn1005, kIso11226, kEaws };
 inline constexpr std::array kPostureMethods{PostureMethod::kRula,   PostureMethod::kReba,     PostureMethod::kOwas,
                                             PostureMethod::kEn1005, PostureMethod::kIso11226, PostureMethod::kEaws};
@@ -16,7 +16,7 @@ inline constexpr std::array kPostureMethods{PostureMethod::kRula,   PostureMetho
 /// "RULA", "EN 1005-4", ...
 std::string_view nameOf(PostureMethod method);
 
-/// What a method says, as two numbers that grow with the load.
+/// The result of a method as two numbers that increase with the load.
 struct MethodScore {
   /// RULA, REBA, OWAS's category; EN 1005-4 and ISO 11226: 1 acceptable, 2 conditionally, 3 not; EAWS: points of the
   /// posture held all the time.
@@ -26,15 +26,15 @@ struct MethodScore {
 MethodScore scoreBy(const PostureScores& scores, PostureMethod method);
 MethodScore scoreBy(const PostureScores& scores, PostureMethod method, mannequin::Side side);
 
-/// The arm's side with the higher score of a method; of equal ones that of PostureScores::worseSide().
+/// The arm's side with the higher score by a method; if equal, that of PostureScores::worseSide().
 mannequin::Side worseSide(const PostureScores& scores, PostureMethod method);
 
-/// The level under which a method has none.
+/// The least level of a method.
 int leastLevel(PostureMethod method);
 
 /// 1 acceptable, 2 conditionally, 3 not.
 int levelOf(Zone zone);
-/// The other way round.
+/// The reverse.
 Zone zoneOfLevel(double level);
 
 }  // namespace hapticell::ergonomics

@@ -17,13 +17,13 @@ std::string_view codeOf(Language language);
 /// The language of a code such as "fr" or "fr_FR"; English for any other.
 Language languageOf(std::string_view code);
 
-/// The words of scores and reports in a language; English is the key, and what has no translation stays English. The
+/// The words of scores and reports in a language; English is the key, and texts without a translation stay English. The
 /// translations are those of app/translations, context Ergonomics.
 std::string word(std::string_view english, Language language);
-/// The same with the places %1, %2, ... filled: phrase("%1: %2", {"trunk", "bent"}, language).
+/// The same with the placeholders %1, %2, ... filled: phrase("%1: %2", {"trunk", "bent"}, language).
 std::string phrase(std::string_view form, const std::vector<std::string>& values, Language language);
 
-/// The sub-score whose fall to its least lowers RULA most (of equal ones the worst in its range), in words.
+/// The sub-score whose reduction to its least lowers RULA most (of equal ones the worst in its range), in words.
 struct MainDriver {
   Rula::Index index = Rula::kUpperArm;
   std::string part;    ///< "right upper arm"
@@ -32,13 +32,13 @@ struct MainDriver {
 };
 MainDriver mainDriver(const PostureScores& scores, Language language);
 
-/// What a RULA or REBA sub-score is and why: "97°, raised".
+/// The observation behind a RULA or REBA sub-score: "97°, raised".
 std::string rulaReason(const SideScores& scores, Rula::Index index, Language language);
 std::string rulaPart(Rula::Index index, mannequin::Side side, Language language);
 std::string rebaReason(const SideScores& scores, Reba::Index index, Language language);
 std::string rebaPart(Reba::Index index, mannequin::Side side, Language language);
 
-/// What an action level asks for, in two or three words: "Change soon".
+/// The action of a level, in two or three words: "Change soon".
 std::string rulaAdvice(int score, Language language);
 std::string rebaAdvice(int score, Language language);
 std::string owasAdvice(int category, Language language);
@@ -46,7 +46,7 @@ std::string owasAdvice(int category, Language language);
 /// "The right upper arm scores 5: 97°, raised."
 std::string whySentence(const PostureScores& scores, Language language);
 
-/// What was taken for granted: boundaries, thresholds, what was not entered.
+/// The assumptions: boundaries, thresholds, values that were not entered.
 std::vector<std::string> assumptionsOf(const PostureScores& scores, const WorkTask& task, Language language);
 
 /// The rule that is printed in each report (docs/user/ergonomics.md).
