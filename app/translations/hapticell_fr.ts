@@ -5935,8 +5935,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyen</translation>
     </message>
     <message>
-        <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. Add the line &quot;NAME - memlock unlimited&quot; with your user name to %2 and log in again.</source>
-        <translation>La mémoire n'est pas verrouillée (mlockall : %1) ; un cycle peut donc attendre une page. Ajoutez la ligne &quot;NAME - memlock unlimited&quot;, avec votre nom d'utilisateur, dans %2 et reconnectez-vous.</translation>
+        <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. To allow it: %2</source>
+        <translation>La mémoire n'est pas verrouillée (mlockall : %1) : des cycles peuvent être en retard pendant la lecture de l'espace d'échange. Pour l'autoriser : %2</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -9067,8 +9067,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>
     <message>
-        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is busy. Add the line &quot;NAME - rtprio %1&quot; with your user name to %3 and log in again.</source>
-        <translation>La boucle d'effort tourne sans priorité temps réel (SCHED_FIFO %1 : %2) ; les cycles sont donc en retard quand la machine est chargée. Ajoutez la ligne &quot;NAME - rtprio %1&quot;, avec votre nom d'utilisateur, dans %3 et reconnectez-vous.</translation>
+        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is busy. To allow it: %3</source>
+        <translation>La boucle de force tourne sans priorité temps réel (SCHED_FIFO %1 : %2) : des cycles sont en retard quand la machine est chargée. Pour l'autoriser : %3</translation>
     </message>
     <message>
         <source>The frame keeps its current placement and moves with it</source>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -65,7 +66,8 @@ std::vector<HealthCheck> allChecks(const config::Configuration& configuration) {
 ordered_json healthJson(const std::vector<HealthCheck>& checks, bool well) {
   ordered_json list = ordered_json::array();
   for (const HealthCheck& check : checks)
-    list.push_back({{"what", check.what},
+    list.push_back({{"name", check.what},
+                    {"ok", check.health != Health::kProblem},
                     {"state", wordOf(check.health)},
                     {"found", check.found},
                     {"fix", check.fix.empty() ? ordered_json(nullptr) : ordered_json(check.fix)}});
@@ -77,22 +79,22 @@ ordered_json healthJson(const std::vector<HealthCheck>& checks, bool well) {
           {"checks", std::move(list)}};
 }
 
-void print(const std::vector<HealthCheck>& checks) {
-  std::printf("HaptiCell %s, commit %s\n%s, %s\n\n", HAPTICELL_VERSION, std::string(config::builtCommit()).c_str(),
+void print(std::FILE* to, const std::vector<HealthCheck>& checks) {
+  std::fprintf(to, "HaptiCell %s, commit %s\n%s, %s\n\n", HAPTICELL_VERSION, std::string(config::builtCommit()).c_str(),
               systemName().c_str(), machine().c_str());
   std::size_t width = 0;
   for (const HealthCheck& check : checks) width = std::max(width, check.what.size());
   for (const HealthCheck& check : checks) {
-    std::printf("%-8s %-*s  %s\n", wordOf(check.health), static_cast<int>(width), check.what.c_str(),
+    std::fprintf(to, "%-8s %-*s  %s\n", wordOf(check.health), static_cast<int>(width), check.what.c_str(),
                 check.found.c_str());
-    if (!check.fix.empty()) std::printf("%-8s %-*s  fix: %s\n", "", static_cast<int>(width), "", check.fix.c_str());
+    if (!check.fix.empty()) std::fprintf(to, "%-8s %-*s  fix: %s\n", "", static_cast<int>(width), "", check.fix.c_str());
   }
   const auto problems = std::count_if(checks.begin(), checks.end(),
                                       [](const HealthCheck& check) { return check.health == Health::kProblem; });
   if (problems == 0)
-    std::puts("\nNo problems found.");
+    std::fputs("\nNo problems found.\n", to);
   else
-    std::printf("\nProblems to fix: %d\n", static_cast<int>(problems));
+    std::fprintf(to, "\nProblems to fix: %d\n", static_cast<int>(problems));
 }
 
 ExitStatus run(const std::string& file, const ResultWriter& writer) {
@@ -104,8 +106,10 @@ ExitStatus run(const std::string& file, const ResultWriter& writer) {
   const std::vector<HealthCheck> checks = allChecks(*configuration);
   const bool well = std::none_of(checks.begin(), checks.end(),
                                  [](const HealthCheck& check) { return check.health == Health::kProblem; });
-  const auto written = writer.isAsked() ? writer.write(healthJson(checks, well)) : Expected<void>();
-  if (!writer.isAsked()) print(checks);
+  // People read text on a terminal; programs read JSON. A report that goes to a file shows the text beside it.
+  const bool people = !writer.isAsked() && ::isatty(STDOUT_FILENO) != 0;
+  if (!writer.isAsked()) print(people ? stdout : stderr, checks);
+  const auto written = people ? Expected<void>() : writer.write(healthJson(checks, well));
   if (!written) {
     report(written.error());
     return ExitStatus::kBadInput;

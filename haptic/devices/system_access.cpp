@@ -18,9 +18,26 @@ namespace {
 constexpr rlim_t kPriority = 80;  // The force loop's.
 constexpr const char* kLimits = "/etc/security/limits.d/90-hapticell.conf";
 
+/// The group of packaging/limits/90-hapticell.conf, which the server's package installs.
+constexpr const char* kGroup = "realtime";
+
 std::string limitFix(const std::string& line) {
+  if (access(kLimits, F_OK) == 0 && getgrnam(kGroup) != nullptr)
+    return std::string("sudo usermod -aG ") + kGroup + " " + driver::userName() + ", then log in again";
   return "echo '" + driver::userName() + " - " + line + "' | sudo tee -a " + kLimits + ", then log in again";
 }
+
+}  // namespace
+
+std::string priorityFix() {
+  return limitFix("rtprio 80");
+}
+
+std::string lockedMemoryFix() {
+  return limitFix("memlock unlimited");
+}
+
+namespace {
 
 SystemGrant priorityGrant() {
   rlimit limit{};
@@ -28,7 +45,7 @@ SystemGrant priorityGrant() {
   SystemGrant grant{"real-time priority", geteuid() == 0 || limit.rlim_cur >= kPriority, "", ""};
   grant.found =
       english(geteuid() == 0 ? Text("allowed for root") : Text("allowed up to %1; 80 is needed", limit.rlim_cur));
-  if (!grant.granted) grant.fix = limitFix("rtprio 80");
+  if (!grant.granted) grant.fix = priorityFix();
   return grant;
 }
 
@@ -37,7 +54,7 @@ SystemGrant memoryGrant() {
   getrlimit(RLIMIT_MEMLOCK, &limit);
   SystemGrant grant{"locked memory", geteuid() == 0 || limit.rlim_cur == RLIM_INFINITY, "", ""};
   grant.found = english(grant.granted ? Text("unlimited") : Text("limited to %1 KiB", limit.rlim_cur / 1024));
-  if (!grant.granted) grant.fix = limitFix("memlock unlimited");
+  if (!grant.granted) grant.fix = lockedMemoryFix();
   return grant;
 }
 

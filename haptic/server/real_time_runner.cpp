@@ -14,13 +14,12 @@
 
 #include "geometry/system/assertion.h"
 #include "geometry/system/error.h"
+#include "haptic/devices/system_access.h"
 #include "haptic/server/force_loop.h"
 
 namespace hapticell::haptic {
 
 namespace {
-
-constexpr const char* kLimitsFile = "/etc/security/limits.d/90-hapticell.conf";
 
 Text askForPriority(int priority) {
   sched_param parameter{};
@@ -29,8 +28,8 @@ Text askForPriority(int priority) {
   if (refused == 0) return {};
   return Text(
       "The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is "
-      "busy. Add the line \"NAME - rtprio %1\" with your user name to %3 and log in again.",
-      priority, systemText(refused), kLimitsFile);
+      "busy. To allow it: %3",
+      priority, systemText(refused), priorityFix());
 }
 
 Text askForLockedMemory() {
@@ -40,9 +39,8 @@ Text askForLockedMemory() {
   const bool unlimited = limit.rlim_cur == RLIM_INFINITY || geteuid() == 0;
   if (mlockall(unlimited ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) == 0) return {};
   return Text(
-      "Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. Add the line \"NAME - "
-      "memlock unlimited\" with your user name to %2 and log in again.",
-      systemText(errno), kLimitsFile);
+      "Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. To allow it: %2",
+      systemText(errno), lockedMemoryFix());
 }
 
 void sleepUntil(std::int64_t deadline) {

@@ -106,18 +106,20 @@ def test_doctor_says_what_to_do():
     with tempfile.TemporaryDirectory() as home:
         environment = {"HOME": home, "XDG_STATE_HOME": f"{home}/state", "XDG_CONFIG_HOME": f"{home}/config"}
         text = run(CLI, "doctor", expect=None, env=environment)
+        assert json.loads(text.stdout)["checks"]  # Into a pipe: the document, and the text beside it.
         told = run(CLI, "--json", "-", "doctor", expect=None, env=environment)
         document = json.loads(told.stdout)
         assert document["well"] == (told.returncode == 0) and told.returncode in (0, 1), told
         assert document["well"] == all(check["state"] != "problem" for check in document["checks"])
-        names = [check["what"] for check in document["checks"]]
+        names = [check["name"] for check in document["checks"]]
         for what in ("graphics card", "OpenGL", "real-time priority", "locked memory", "udev rules", "port 4747",
                      "disk, settings", "disk, copies"):
             assert what in names, (what, names)
         for check in document["checks"]:
+            assert check["ok"] == (check["state"] != "problem"), check
             assert check["state"] in ("ok", "note", "problem") and check["found"], check
             assert (check["fix"] is None) == (check["state"] == "ok"), check
-            assert check["found"] in text.stdout or "MB free" in check["found"], check
+            assert check["found"] in text.stderr or "MB free" in check["found"], check
         file = pathlib.Path(home) / "report.json"
         run(CLI, "--json", file, "doctor", expect=None, env=environment)
         assert json.loads(file.read_text())["checks"]
