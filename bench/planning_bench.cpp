@@ -26,6 +26,7 @@
 #include "planning/timed_plan.h"
 #include "planning/written_plan.h"
 #include "trajectory/files/trajectory_io.h"
+#include "workcell/text/file_content.h"
 #ifdef HAPTICELL_HAS_FCL
 #include "bench/fcl_peer.h"
 #endif

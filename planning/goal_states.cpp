@@ -89,7 +89,7 @@ class GoalFinder {
   }
 
   Expected<GoalStates> toPose(const Pose& X_WT) {
-    if (!X_WT.isValid()) return makeError(goalError(space_, "a pose that is not valid", "a position and a unit quaternion"));
+    if (!X_WT.isValid()) return makeError(goalError(space_, Text("a pose that is not valid"), Text("a position and a unit quaternion")));
     HAPTICELL_TRY(prepareInverse());
     GoalStates states;
     addFreeAt(X_WT, states.free);
@@ -99,7 +99,7 @@ class GoalFinder {
 
   Expected<GoalStates> toJoints(const std::vector<double>& joints) {
     const auto& robot = space_.entity().robot();
-    if (!robot) return makeError(goalError(space_, "joints", "a pose, because it has no joints"));
+    if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
     if (joints.size() != robot->dof())
       return makeError(goalError(space_, Text("%1 joint positions", joints.size()),
                                  Text("%1 joint positions", robot->dof())));
@@ -107,7 +107,7 @@ class GoalFinder {
     EntityConfiguration at{start_.X_WE, joints};
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const kinematics::Joint& joint = robot->joints[static_cast<std::size_t>(robot->moving[i])];
-      if (!std::isfinite(joints[i])) return makeError(goalError(space_, "a number that is not finite", "numbers"));
+      if (!std::isfinite(joints[i])) return makeError(goalError(space_, Text("a number that is not finite"), Text("numbers")));
       const double inside = std::clamp(joints[i], joint.lower, joint.upper);
       if (std::abs(inside - joints[i]) > kOnLimit) {
         states.failure = Failure{.kind = Failure::Kind::kLimit,
@@ -134,7 +134,7 @@ class GoalFinder {
   Expected<GoalStates> toRegion(const goal::ToRegion& region) {
     const bool is_valid = region.X_WT.isValid() && std::isfinite(region.turn) && region.turn >= 0.0 &&
                           glm::all(glm::greaterThanEqual(region.half, dvec3(0.0))) && glm::length(region.half) < 1e6;
-    if (!is_valid) return makeError(goalError(space_, "a region that is not valid", "a pose and sizes of 0 or more"));
+    if (!is_valid) return makeError(goalError(space_, Text("a region that is not valid"), Text("a pose and sizes of 0 or more")));
     HAPTICELL_TRY(prepareInverse());
     std::mt19937_64 random(seed_);
     GoalStates states;
@@ -152,9 +152,9 @@ class GoalFinder {
 
   Expected<GoalStates> outOfCell(double margin) {
     if (space_.hasJoints())
-      return makeError(goalError(space_, "out of the cell", "a pose or joints, because it is fixed by its base"));
+      return makeError(goalError(space_, Text("out of the cell"), Text("a pose or joints, because it is fixed by its base")));
     if (!(margin >= 0.0) || !std::isfinite(margin))
-      return makeError(goalError(space_, "a margin that is not valid", "0 or more metres"));
+      return makeError(goalError(space_, Text("a margin that is not valid"), Text("0 or more metres")));
     const geometry::Bounds& box = space_.obstacleBounds();
     GoalStates states;
     if (box.isEmpty()) {

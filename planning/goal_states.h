@@ -12,7 +12,7 @@
 
 namespace hapticell::planning {
 
-/// The free configurations of a goal, or why there is none.
+/// The free configurations of a goal, or why it has no free one.
 struct GoalStates {
   std::vector<EntityConfiguration> free;  ///< Nearest to the start first; empty with a failure.
   std::optional<Failure> failure;

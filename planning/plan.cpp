@@ -81,7 +81,7 @@ class Planning {
   static Failure cancelled() {
     Failure failure;
     failure.kind = Failure::Kind::kCancelled;
-    failure.reason = "planning was cancelled";
+    failure.reason = Text("planning was cancelled");
     return failure;
   }
 

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/system/atomic_file.h"
 #include "geometry/system/scratch_folder.h"
 #include "planning/timed_plan.h"
 #include "tests/planning/planning_cells.h"
 #include "trajectory/files/trajectory_io.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::planning {
 namespace {
