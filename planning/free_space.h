@@ -33,7 +33,9 @@ struct Blocker {
 ///
 /// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks: the
 /// pair rules of the document count, pairs in contact mode *Pass* are left out, and so are pairs that no joint moves
-/// against each other (a base on its table) and links that touch at rest. Links against each other need only not touch.
+/// against each other (a base on its table), links that touch at rest, and, of a robot, what touches where it stands now
+/// (a first link on the table), as `ik --collision-free` does; note() names them. Links against each other need
+/// only not touch.
 ///
 /// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
 /// was asked before.

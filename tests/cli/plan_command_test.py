@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 CLI = str(pathlib.Path(sys.argv[1]).resolve())
+NAMES = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"]
 START = [0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
 GOAL = [-0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
 
@@ -27,7 +28,7 @@ def robot_cell(folder):
         "--add", "box:0.6,0.04,0.5,name=wall,pose=0.6,0,0.25,1,0,0,0",
         "--add", "box:1,1,0.1,name=plate,pose=0,0,-0.05,1,0,0,0", folder=folder)
     cell = json.loads((folder / "cell.hcell").read_text())
-    next(one for one in cell["entities"] if one["name"] == "robot")["joints"] = START
+    next(one for one in cell["entities"] if one["name"] == "robot")["joints"] = dict(zip(NAMES, START))
     (folder / "cell.hcell").write_text(json.dumps(cell))
 
 
