@@ -2,7 +2,8 @@
 // Plans of a chain of seven joints among 80 parts of 20,000 triangles (scene_bench's chain), beside FCL's broad phase
 // under the same planner of OMPL in the same process. Prints a table of docs/dev/performance.md.
 //
-// usage: planning_bench [problems] [kinds] [peer]   (default: 100 problems; "kinds": each search alone; "peer": with FCL)
+// usage: planning_bench [problems] [kinds] [peer] [written]
+// Default: 100 problems; kinds: each search alone; peer: with FCL; written: motions are written and measured too.
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -11,9 +12,9 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <random>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ using Angles = std::vector<double>;
 constexpr double kClearance = 0.005;
 constexpr double kPeerLimit = 20.0;  // s: then the peer gives a problem up.
 
+/// Processor time of all threads: other programs on the machine do not count.
 double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 struct Cell {
@@ -52,11 +54,13 @@ Cell makeCell() {
   Cell cell{makeChain(600), {}, nullptr};
   cell.parts = partsAround(cell.chain, 80, 20000);
   std::vector<workcell::Entity> entities{chainRobot(cell.chain)};
+  // All of one shape, which is prepared once.
+  const auto shape = std::make_shared<const geometry::TriangleMesh>(cell.parts.front().mesh);
   for (std::size_t i = 0; i < cell.parts.size(); ++i) {
     workcell::Entity part;
     part.id = 2 + i;
     part.name = "part" + std::to_string(i);
-    part.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(cell.parts[i].mesh)};
+    part.body = workcell::Solid{shape};
     part.X_WE = cell.parts[i].X_WP;
     entities.push_back(std::move(part));
   }
@@ -94,7 +98,7 @@ void row(const std::string& name, std::vector<double> times, std::size_t solved,
 }
 
 void measurePlans(const Cell& cell, const planning::FreeSpace& space,
-                  const std::vector<std::pair<Angles, Angles>>& problems) {
+                  const std::vector<std::pair<Angles, Angles>>& problems, bool written) {
   std::vector<double> times;
   std::size_t solved = 0, kept = 0, straight = 0, checks = 0;
   double least = 1.0;
@@ -113,6 +117,7 @@ void measurePlans(const Cell& cell, const planning::FreeSpace& space,
     ++solved;
     checks += result->checks;
     straight += result->planner == "straight" ? 1 : 0;
+    if (!written) continue;
     const auto motion = planning::timedMotion(*result->plan, space);
     if (!motion || !workcell::writeFileAtomically(file, trajectory::toJsonText(*motion))) continue;
     const auto promises = planning::writtenPlanPromises(file, *result->plan, kClearance, cell.scene, 1);
@@ -125,9 +130,10 @@ void measurePlans(const Cell& cell, const planning::FreeSpace& space,
     }
   }
   std::remove(file.c_str());
+  const std::string kept_words =
+      written ? std::to_string(kept) + " written motions keep 5 mm and all else, least " + std::to_string(1e3 * least) + " mm; " : "";
   row("HaptiCell: searched, shortened, smoothed", times, solved,
-      std::to_string(kept) + " written motions keep 5 mm and all else, least " + std::to_string(1e3 * least) + " mm; " +
-          std::to_string(straight) + " straight; " + std::to_string(checks / std::max<std::size_t>(1, solved)) + " checks each");
+      kept_words + std::to_string(straight) + " straight; " + std::to_string(checks / std::max<std::size_t>(1, solved)) + " checks each");
 }
 
 /// Each kind of search alone, one thread, without shortening.
@@ -203,12 +209,18 @@ void measurePeer(const Cell& cell, const std::vector<std::pair<Angles, Angles>>&
 int main(int argc, char** argv) {
   using namespace hapticell::bench;
   std::size_t count = 100;
-  bool kinds = false, peer = false;
+  bool kinds = false, peer = false, written = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "kinds") kinds = true;
-    else if (word == "peer") peer = true;
-    else count = static_cast<std::size_t>(std::max(1, std::atoi(word.c_str())));
+    if (word == "kinds") {
+      kinds = true;
+    } else if (word == "peer") {
+      peer = true;
+    } else if (word == "written") {
+      written = true;
+    } else {
+      count = static_cast<std::size_t>(std::max(1, std::atoi(word.c_str())));
+    }
   }
   const Cell cell = makeCell();
   const auto space = hapticell::planning::FreeSpace::create(cell.scene, 1, {});
@@ -217,12 +229,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   const auto problems = makeProblems(space->fresh(), count);
-  std::printf("| planner | solved | ms (median / p99 / max) | |\n| --- | --- | --- | --- |\n");
+  std::printf("| planner | solved | processor time, ms (median / p99 / max) | |\n| --- | --- | --- | --- |\n");
   if (kinds) {
     measureKinds(*space, problems);
     return 0;
   }
-  measurePlans(cell, *space, problems);
+  measurePlans(cell, *space, problems, written);
 #ifdef HAPTICELL_HAS_FCL
   if (peer) measurePeer(cell, problems);
 #endif

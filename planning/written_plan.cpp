@@ -90,7 +90,8 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
   const workcell::Entity* entity = scene->find(id);
   auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);
-  if (entity == nullptr || motion->entity != entity->name || motion->empty())
+  const bool is_other = entity == nullptr || (!motion->entity.empty() && motion->entity != entity->name);
+  if (is_other || motion->empty())
     return makeError({.file = written.string(),
                       .found = Text("a motion of '%1'", motion->entity),
                       .expected = "a motion of the entity that was planned for"});

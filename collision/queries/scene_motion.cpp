@@ -106,7 +106,8 @@ Scene::Mover Scene::moverOf(PartIndex part) {
 /// Where it is at s. The first middles are kept, as many pairs ask for them; `node` is their number, 0: none of them.
 const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s, Station& scratch) {
   const bool is_kept = mover.swept != nullptr && (node == kEndNode || (node > 0 && node < kStations));
-  Station& station = is_kept ? mover.swept->stations[node == kEndNode ? 0 : node] : scratch;
+  const std::size_t place = node == kEndNode ? 0 : node;
+  Station& station = is_kept ? mover.swept->stations[place] : scratch;
   if (is_kept && station.is_known) return station;
   station.X_WP = mover.motion().at(s);
   station.at = mover.swept == nullptr ? boundsOf(mover.part) : placedBounds(*parts_[mover.part].collider, station.X_WP);

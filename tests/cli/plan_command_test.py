@@ -25,7 +25,7 @@ def run(*words, folder, expect=0):
 
 def robot_cell(folder):
     run("workcell", "new", "cell.hcell", "--add", "library:ur5e,name=robot",
-        "--add", "box:0.6,0.04,0.5,name=wall,pose=0.6,0,0.25,1,0,0,0",
+        "--add", "box:0.6,0.04,0.5,name=wall,pose=-0.65,-0.13,0.25,1,0,0,0",
         "--add", "box:1,1,0.1,name=plate,pose=0,0,-0.05,1,0,0,0", folder=folder)
     cell = json.loads((folder / "cell.hcell").read_text())
     next(one for one in cell["entities"] if one["name"] == "robot")["joints"] = dict(zip(NAMES, START))

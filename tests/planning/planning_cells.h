@@ -22,11 +22,11 @@ inline workcell::Entity loaded(const std::string& what, workcell::EntityId id, c
   return entity;
 }
 
-/// A robot (1) on a plate (4) that its base touches, with a wall (2) in front of it, a gripper of a box (3) on its
-/// flange.
+/// A robot (1) on a plate (4) that its base touches, with a wall (2) on the straight way of its tool; a gripper of a box (3)
+/// on its flange.
 inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gripper = false) {
   std::vector<workcell::Entity> entities{loaded("library:ur5e", 1, "robot", {}),
-                                         loaded("box:0.6,0.04,0.5", 2, "wall", Pose::translation({0.6, 0.0, 0.25})),
+                                         loaded("box:0.6,0.04,0.5", 2, "wall", Pose::translation({-0.65, -0.13, 0.25})),
                                          loaded("box:1.0,1.0,0.1", 4, "plate", Pose::translation({0.0, 0.0, -0.05}))};
   entities.front().setJoints({0.6, -1.2, 1.2, -1.5, -1.5, 0.0});
   if (with_gripper) {
