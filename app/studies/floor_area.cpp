@@ -17,9 +17,9 @@ namespace hapticell::app {
 
 namespace {
 
-constexpr const char* kOwner = "study areas";
+constexpr const char* kAreasOwner = "study areas";
 /// Pixels about a handle. Half: hard to take; twice: takes clicks that mean the scene.
-constexpr double kReach = 9.0;
+constexpr double kHandleReach = 9.0;
 /// m: the least side of a rectangle. Half and twice: as well; it only keeps the ends in order.
 constexpr double kLeastSide = 0.02;
 
@@ -104,7 +104,7 @@ void FloorArea::draw() {
     for (const dvec3& p_W : handles)
       curves.push_back({{p_W}, SceneCurve::Role::kSelection, SceneCurve::Style::kSolid, 9.0});
   }
-  host_.viewport().setCurves(kOwner, std::move(curves));
+  host_.viewport().setCurves(kAreasOwner, std::move(curves));
 }
 
 std::optional<FloorArea::Drag> FloorArea::handleAt(const QPointF& place) const {
@@ -115,7 +115,7 @@ std::optional<FloorArea::Drag> FloorArea::handleAt(const QPointF& place) const {
     const auto handles = handlesOf(range);
     for (std::size_t i = 0; i < handles.size(); ++i) {
       const auto pixel = viewport.camera().project(handles[i], size);
-      if (pixel && std::hypot(pixel->x - place.x(), pixel->y - place.y()) <= kReach) return Drag{range, i};
+      if (pixel && std::hypot(pixel->x - place.x(), pixel->y - place.y()) <= kHandleReach) return Drag{range, i};
     }
   }
   return std::nullopt;

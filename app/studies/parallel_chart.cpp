@@ -16,8 +16,8 @@ namespace hapticell::app {
 
 namespace {
 
-/// Pixels from a line that still mean it, as kReach of scatter_chart.cpp.
-constexpr double kReach = 12.0;
+/// Pixels from a line that still mean it, as kPointReach of scatter_chart.cpp.
+constexpr double kLineReach = 12.0;
 constexpr double kSide = 46.0;  // Pixels for the names of the first and last axis; half: they are cut, twice: less chart.
 
 }  // namespace
@@ -101,7 +101,7 @@ void ParallelChart::mousePressEvent(QMouseEvent* event) {
     return least;
   };
   std::optional<std::size_t> found;
-  double least = kReach;
+  double least = kLineReach;
   for (std::size_t row = 0; row < table_.rows().size(); ++row) {
     // Feasible lines lie on top.
     const double distance = away(row) + (table_.rows()[row].feasible ? 0.0 : 2.0);

@@ -9,8 +9,6 @@
 
 namespace hapticell::app {
 
-using studies::Answer;
-using studies::Column;
 using studies::ResultRow;
 
 namespace {
@@ -18,7 +16,7 @@ namespace {
 /// Digits that tell variants apart. Half: neighbours look alike; twice: columns too wide to compare.
 constexpr int kDigits = 5;
 
-std::optional<double> numberOf(const Answer& answer) {
+std::optional<double> numberOf(const studies::Answer& answer) {
   if (const auto* number = std::get_if<double>(&answer)) return *number;
   if (const auto* whole = std::get_if<std::int64_t>(&answer)) return static_cast<double>(*whole);
   return std::nullopt;
@@ -83,7 +81,7 @@ void ResultTable::count() {
       std::count_if(rows_.begin(), rows_.end(), [](const ResultRow& row) { return row.feasible; }));
 }
 
-const Column* ResultTable::columnAt(int column) const {
+const studies::Column* ResultTable::columnAt(int column) const {
   if (column < kFirstValue) return nullptr;
   const auto at = static_cast<std::size_t>(column - kFirstValue);
   if (at < head_.values.size()) return &head_.values[at];
@@ -94,18 +92,18 @@ QString ResultTable::columnName(int column) const {
   if (column == kNumber) return tr("Variant");
   if (column == kFeasible) return tr("Feasible");
   if (column == kObjective) return tr("Objective");
-  const Column* named = columnAt(column);
+  const studies::Column* named = columnAt(column);
   return named != nullptr ? QString::fromStdString(named->name) : QString();
 }
 
 QString ResultTable::unit(int column) const {
-  const Column* named = columnAt(column);
+  const studies::Column* named = columnAt(column);
   return named != nullptr ? QString::fromStdString(named->unit) : QString();
 }
 
 bool ResultTable::isNumber(int column) const {
-  const Column* named = columnAt(column);
-  return named == nullptr ? column == kNumber || column == kObjective : named->kind != Column::Kind::kText;
+  const studies::Column* named = columnAt(column);
+  return named == nullptr ? column == kNumber || column == kObjective : named->kind != studies::Column::Kind::kText;
 }
 
 std::optional<double> ResultTable::number(std::size_t row, int column) const {
@@ -159,7 +157,7 @@ int ResultTable::columnNamed(const std::string& name) const {
 
 std::optional<bool> ResultTable::isGreaterBetter(int column) const {
   if (column == kObjective) return false;
-  const Column* named = columnAt(column);
+  const studies::Column* named = columnAt(column);
   for (const studies::Objective& one : objectives_)
     if (named != nullptr && one.value == named->name) return one.is_greatest;
   return std::nullopt;

@@ -33,13 +33,13 @@ namespace {
 enum Page { kTable, kScatter, kParallel };
 constexpr int kRowHeight = 22;
 
-QPushButton* makeButton(const char* name, const QString& text) {
+QPushButton* makeResultsButton(const char* name, const QString& text) {
   auto* button = new QPushButton(text);
   button->setObjectName(QString::fromLatin1(name));
   return button;
 }
 
-QComboBox* makeChoice(const char* name, const QString& what) {
+QComboBox* makeColumnChoice(const char* name, const QString& what) {
   auto* choice = new QComboBox;
   choice->setObjectName(QString::fromLatin1(name));
   choice->setAccessibleName(what);
@@ -77,9 +77,9 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   kind_ = new Segmented({tr("Table"), tr("Scatter"), tr("Parallel")});
   kind_->setObjectName("segmentsResults");
   kind_->setAccessibleName(tr("View of the results"));
-  across_ = makeChoice("choiceAcross", tr("Result across"));
-  up_ = makeChoice("choiceUp", tr("Result upwards"));
-  color_ = makeChoice("choiceColor", tr("Result that colours map and lines"));
+  across_ = makeColumnChoice("choiceAcross", tr("Result across"));
+  up_ = makeColumnChoice("choiceUp", tr("Result upwards"));
+  color_ = makeColumnChoice("choiceColor", tr("Result that colours map and lines"));
   map_ = new QCheckBox(tr("Map"));
   map_->setObjectName("checkMap");
   map_->setToolTip(tr("Colour the places of the variants in the scene"));
@@ -96,13 +96,13 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   auto* second = new QHBoxLayout;
   says_ = makeLive(1, TextRole::kSecond);
   says_->setObjectName("labelResults");
-  use_ = makeButton("buttonUseVariant", tr("Use this variant"));
+  use_ = makeResultsButton("buttonUseVariant", tr("Use this variant"));
   use_->setProperty("main", true);
-  hide_ = makeButton("buttonHideVariant", tr("Show the cell"));
+  hide_ = makeResultsButton("buttonHideVariant", tr("Show the cell"));
   hide_->setToolTip(tr("Show the cell as it is in the document again"));
-  cell_ = makeButton("buttonOpenStudyCell", tr("Open its cell"));
-  QPushButton* open = makeButton("buttonOpenResults", tr("Open…"));
-  export_ = makeButton("buttonExportResults", tr("Export…"));
+  cell_ = makeResultsButton("buttonOpenStudyCell", tr("Open its cell"));
+  QPushButton* open = makeResultsButton("buttonOpenResults", tr("Open…"));
+  export_ = makeResultsButton("buttonExportResults", tr("Export…"));
   second->addWidget(says_, 1);
   for (QPushButton* button : {use_, hide_, cell_, open, export_}) second->addWidget(button);
   column.addLayout(second);

@@ -17,7 +17,7 @@ namespace hapticell::app {
 namespace {
 
 /// Pixels from a point that still mean it. Half: hard to hit; twice: neighbours are taken.
-constexpr double kReach = 12.0;
+constexpr double kPointReach = 12.0;
 constexpr double kRadius = 3.5, kChosenRadius = 7.0;  // Pixels; half: dots, twice: they hide each other.
 
 }  // namespace
@@ -60,7 +60,7 @@ std::optional<QPointF> ScatterChart::placeOf(std::size_t row) const {
 
 std::optional<std::size_t> ScatterChart::nearest(const QPointF& place) const {
   std::optional<std::size_t> found;
-  double least = kReach;
+  double least = kPointReach;
   for (std::size_t row = 0; row < table_.rows().size(); ++row) {
     const auto at = placeOf(row);
     if (!at) continue;

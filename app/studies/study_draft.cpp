@@ -30,7 +30,7 @@ constexpr double kFirstSteps = 7.0;
 /// m: as fine as a pointer shows. Half and twice: more or fewer digits in the document.
 constexpr double kRounding = 0.001;
 
-double rounded(double metres) {
+double roundedLength(double metres) {
   return std::round(metres / kRounding) * kRounding;
 }
 
@@ -279,8 +279,8 @@ void StudyDraft::setFloorRange(const FloorRange& range, const workcell::Document
   const auto write = [&](std::size_t i, double base, double from, double to) -> Expected<void> {
     const StudyPlace place{"vary", i};
     const double zero = isYes(text_, place, "absolute") ? 0.0 : base;
-    HAPTICELL_TRY(text.set(place, "from", rounded(from - zero)));
-    return text.set(place, "to", rounded(to - zero));
+    HAPTICELL_TRY(text.set(place, "from", roundedLength(from - zero)));
+    return text.set(place, "to", roundedLength(to - zero));
   };
   const auto along_x = write(range.x, entity->X_WE.p.x, range.x_from, range.x_to);
   const auto along_y = write(range.y, entity->X_WE.p.y, range.y_from, range.y_to);

@@ -32,7 +32,7 @@ namespace {
 constexpr const char* kMethods[] = {"grid", "list", "halton", "sobol", "search"};
 constexpr const char* kSearches[] = {"nelder-mead", "sbplx", "cobyla", "bobyqa", "crs2", "isres", "direct", "esch"};
 
-QPushButton* makeButton(const char* name, const QString& text) {
+QPushButton* makeStudyButton(const char* name, const QString& text) {
   auto* button = new QPushButton(text);
   button->setObjectName(QString::fromLatin1(name));
   return button;
@@ -85,10 +85,10 @@ StudyPanel::StudyPanel(Host& host, StudyDraft& draft, StudyRunner& runner, QWidg
 
 void StudyPanel::addTop(QVBoxLayout& column) {
   QVBoxLayout* top = addSection(column, {});
-  QPushButton* begin = makeButton("buttonNewStudy", tr("New"));
-  QPushButton* open = makeButton("buttonOpenStudy", tr("Open…"));
-  save_ = makeButton("buttonSaveStudy", tr("Save"));
-  save_as_ = makeButton("buttonSaveStudyAs", tr("Save as…"));
+  QPushButton* begin = makeStudyButton("buttonNewStudy", tr("New"));
+  QPushButton* open = makeStudyButton("buttonOpenStudy", tr("Open…"));
+  save_ = makeStudyButton("buttonSaveStudy", tr("Save"));
+  save_as_ = makeStudyButton("buttonSaveStudyAs", tr("Save as…"));
   begin->setToolTip(tr("Begin a study of the open workcell"));
   top->addWidget(sideBySide({begin, open, save_, save_as_}));
   about_ = makeLive(2, TextRole::kText);
@@ -115,9 +115,9 @@ void StudyPanel::addContent(QVBoxLayout& column) {
   menu->setObjectName("menuAddToStudy");
   fillMenu(*menu);
   add_->setMenu(menu);
-  area_ = makeButton("buttonFloorArea", tr("Floor area"));
+  area_ = makeStudyButton("buttonFloorArea", tr("Floor area"));
   area_->setToolTip(tr("The selected part or robot may stand anywhere in a rectangle; drag its handles in the scene"));
-  remove_ = makeButton("buttonRemoveFromStudy", tr("Remove"));
+  remove_ = makeStudyButton("buttonRemoveFromStudy", tr("Remove"));
   content->addWidget(sideBySide({add_, area_, remove_}));
   form_ = new SectionForm(host_, draft_);
   content->addWidget(form_);

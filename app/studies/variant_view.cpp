@@ -23,7 +23,7 @@ using studies::Study;
 
 namespace {
 
-constexpr const char* kOwner = "study results";
+constexpr const char* kResultsOwner = "study results";
 
 bool sameFile(const fs::path& a, const fs::path& b) {
   std::error_code fault;
@@ -121,7 +121,7 @@ void VariantView::showMap() {
     const int column = column_ >= 0 ? column_ : static_cast<int>(ResultTable::kObjective);
     map_ = mapOf(table_, state, column);
   }
-  host_.viewport().scene().setExtras(kOwner, map_.items());
+  host_.viewport().scene().setExtras(kResultsOwner, map_.items());
   host_.viewport().refresh();
 }
 
