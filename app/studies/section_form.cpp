@@ -73,7 +73,9 @@ void SectionForm::build() {
   shape_ = shape();
   refreshers_.clear();
   if (holder_ != nullptr) {
+    // One of its fields may be what asked for this.
     holder_->hide();
+    holder_->setParent(nullptr);
     holder_->deleteLater();
   }
   holder_ = new QWidget;

@@ -16,7 +16,7 @@
 #include "app/host/selection.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
-#include "app/studies/run_section.h"
+#include "app/studies/study_run_section.h"
 #include "app/studies/section_form.h"
 #include "app/studies/study_fields.h"
 #include "app/studies/study_tree.h"
@@ -69,9 +69,9 @@ StudyPanel::StudyPanel(Host& host, StudyDraft& draft, StudyRunner& runner, QWidg
   addContent(*column);
   addVariants(*column);
   QVBoxLayout* run = addSection(*column, tr("Run"));
-  auto* section = new RunSection(host_, draft_, runner);
+  auto* section = new StudyRunSection(host_, draft_, runner);
   run->addWidget(section);
-  connect(section, &RunSection::saveWanted, this, &StudyPanel::save);
+  connect(section, &StudyRunSection::saveWanted, this, &StudyPanel::save);
   column->addStretch(1);
   connect(&draft_, &StudyDraft::changed, this, &StudyPanel::refresh);
   connect(&draft_, &StudyDraft::refused, this, [this](const Error& error) {
@@ -342,8 +342,8 @@ void StudyPanel::refresh() {
   remove_->setEnabled(any && tree_->chosen().has_value());
   tree_->setEnabled(any);
   const QString cell = QFileInfo(draft_.cell()).fileName();
-  about_->setText(any ? tr("%1%2, of %3").arg(draft_.title(), draft_.isChanged() ? QStringLiteral("*") : QString(), cell)
-                      : tr("No study is open."));
+  const QString title = draft_.title() + (draft_.isChanged() ? QStringLiteral("*") : QString());
+  about_->setText(any ? tr("%1, of %2").arg(title, cell) : tr("No study is open."));
   const auto fault = any ? draft_.fault() : std::nullopt;
   fault_->setText(fault ? tr("Not complete: %1").arg(shownText(*fault)) : QString());
   method_->setEnabled(any);

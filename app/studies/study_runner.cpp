@@ -140,7 +140,7 @@ void StudyRunner::start(const QString& study, const QString& results) {
       [run = run_, document = fs::path(study.toStdString()), wanted = fs::path(results.toStdString())] {
         return run->evaluate(document, wanted);
       },
-      [this, run = run_](const Expected<bool>& complete) {
+      [this](const Expected<bool>& complete) {
         look();  // The last rows.
         run_.reset();
         poll_.stop();

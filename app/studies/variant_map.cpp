@@ -123,7 +123,7 @@ double cellSize(std::set<double> values, std::size_t variants) {
 /// Of two variants at one place the better one: feasible, then by the value, then by the number.
 bool isBetter(const MapCell& a, const MapCell& b, bool greater) {
   const auto rank = [greater](const MapCell& cell) {
-    const double value = cell.value ? (greater ? -*cell.value : *cell.value) : 0.0;
+    const double value = (greater ? -1.0 : 1.0) * cell.value.value_or(0.0);
     return std::tuple(!cell.feasible, !cell.value.has_value(), value, cell.number);
   };
   return rank(a) < rank(b);

@@ -87,22 +87,23 @@ void VariantView::setMapColumn(int column) {
   showMap();
 }
 
+/// The file of the study's cell; empty: not known.
+fs::path VariantView::cellFile() const {
+  if (table_.head().file.empty()) return {};
+  if (study_) return study_->document().cell;
+  const fs::path document = documentOf(table_.head(), table_.file().toStdString());
+  const auto named = studies::StudyDocument::parse(table_.head().study, document);
+  return named ? named->cell : fs::path();
+}
+
 bool VariantView::isOpen() const {
-  if (table_.head().file.empty()) return false;
   const DocumentModel& model = host_.documentModel();
-  const fs::path cell = study_ ? study_->document().cell : [&] {
-    const auto named = studies::StudyDocument::parse(table_.head().study,
-                                                     documentOf(table_.head(), table_.file().toStdString()));
-    return named ? named->cell : fs::path();
-  }();
+  const fs::path cell = cellFile();
   return sameFile(model.document().path(), cell) || sameFile(model.origin(), cell);
 }
 
 QString VariantView::otherCell() const {
-  if (table_.isEmpty() || isOpen()) return {};
-  const auto named =
-      studies::StudyDocument::parse(table_.head().study, documentOf(table_.head(), table_.file().toStdString()));
-  return named ? QString::fromStdString(named->cell.string()) : QString();
+  return table_.isEmpty() || isOpen() ? QString() : QString::fromStdString(cellFile().string());
 }
 
 QString VariantView::obstacle() const {

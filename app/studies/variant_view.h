@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointF>
 #include <QString>
+#include <filesystem>
 #include <memory>
 
 #include "app/studies/variant_map.h"
@@ -60,6 +61,7 @@ class VariantView : public QObject {
   void endShowing();
   void check(const studies::ResultRow& row, const workcell::Document& taken);
   bool isOpen() const;
+  std::filesystem::path cellFile() const;
 
   Host& host_;
   ResultTable& table_;

@@ -19,10 +19,10 @@ class StudyDraft;
 class ValueField;
 
 /// Runs the study: here, with progress and time left, or on a cluster, whose script is shown before it is submitted.
-class RunSection : public QWidget {
+class StudyRunSection : public QWidget {
   Q_OBJECT
  public:
-  RunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidget* parent = nullptr);
+  StudyRunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidget* parent = nullptr);
   /// "1 h 05 min", "12 s"
   static QString durationText(double seconds);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/studies/run_section.h"
+#include "app/studies/study_run_section.h"
 
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -21,7 +21,7 @@
 
 namespace hapticell::app {
 
-RunSection::RunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidget* parent)
+StudyRunSection::StudyRunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidget* parent)
     : QWidget(parent), host_(host), draft_(draft), runner_(runner) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -45,15 +45,15 @@ RunSection::RunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidg
   says_->setObjectName("labelStudyRun");
   column->addWidget(says_);
   addCluster(*column);
-  connect(run_, &QPushButton::clicked, this, &RunSection::run);
+  connect(run_, &QPushButton::clicked, this, &StudyRunSection::run);
   connect(stop_, &QPushButton::clicked, &runner_, [this] {
     runner_.cancel();
     refresh();
   });
   connect(cluster_, &QPushButton::toggled, this, [this](bool on) { cluster_page_->setVisible(on); });
-  connect(script_, &QPushButton::clicked, this, &RunSection::makeScript);
-  connect(submit_, &QPushButton::clicked, this, &RunSection::submit);
-  connect(&runner_, &StudyRunner::progressed, this, &RunSection::refresh);
+  connect(script_, &QPushButton::clicked, this, &StudyRunSection::makeScript);
+  connect(submit_, &QPushButton::clicked, this, &StudyRunSection::submit);
+  connect(&runner_, &StudyRunner::progressed, this, &StudyRunSection::refresh);
   connect(&runner_, &StudyRunner::ended, this, [this](bool complete) {
     last_ = complete ? tr("Complete.") : tr("Stopped; the rows so far are kept. Run continues.");
     refresh();
@@ -75,7 +75,7 @@ RunSection::RunSection(Host& host, StudyDraft& draft, StudyRunner& runner, QWidg
   refresh();
 }
 
-void RunSection::addCluster(QVBoxLayout& column) {
+void StudyRunSection::addCluster(QVBoxLayout& column) {
   cluster_page_ = new QWidget;
   auto* page = new QVBoxLayout(cluster_page_);
   page->setContentsMargins(0, 0, 0, 0);
@@ -124,7 +124,7 @@ void RunSection::addCluster(QVBoxLayout& column) {
   cluster_page_->hide();
 }
 
-QString RunSection::durationText(double seconds) {
+QString StudyRunSection::durationText(double seconds) {
   const auto whole = static_cast<int>(std::lround(std::min(seconds, 1e8)));
   if (whole < 60) return tr("%1 s").arg(whole);
   const auto two = [](int number) { return QStringLiteral("%1").arg(number, 2, 10, QLatin1Char('0')); };
@@ -132,13 +132,13 @@ QString RunSection::durationText(double seconds) {
   return tr("%1 h %2 min").arg(whole / 3600).arg(two(whole / 60 % 60));
 }
 
-QString RunSection::resultsFile() const {
+QString StudyRunSection::resultsFile() const {
   const QFileInfo file(draft_.file());
   return file.absolutePath() + '/' + file.completeBaseName() + QStringLiteral(".hresults");
 }
 
 /// The study as it is shown, in its file; what it is about, in the cell's file.
-bool RunSection::isReady() {
+bool StudyRunSection::isReady() {
   if (const auto fault = draft_.fault()) {
     last_ = shownText(*fault);
     refresh();
@@ -154,13 +154,13 @@ bool RunSection::isReady() {
   return true;
 }
 
-void RunSection::run() {
+void StudyRunSection::run() {
   if (runner_.isBusy() || !isReady()) return;
   last_.clear();
   runner_.start(draft_.file(), resultsFile());
 }
 
-void RunSection::makeScript() {
+void StudyRunSection::makeScript() {
   if (!isReady()) return;
   output_ = resultsFile();
   for (int number = 2; QFileInfo::exists(output_); ++number)
@@ -187,13 +187,13 @@ void RunSection::makeScript() {
   refresh();
 }
 
-void RunSection::submit() {
+void StudyRunSection::submit() {
   if (!job_ || runner_.isBusy()) return;
   last_.clear();
   runner_.submit(*job_, output_, {});
 }
 
-void RunSection::refresh() {
+void StudyRunSection::refresh() {
   using State = StudyRunner::State;
   const State state = runner_.state();
   run_->setEnabled(state == State::kIdle && !draft_.isEmpty());
