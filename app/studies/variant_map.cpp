@@ -174,6 +174,7 @@ const MapCell* VariantMap::at(const dvec3& p_W) const {
 }
 
 std::vector<RenderItem> VariantMap::items() const {
+  if (cells.empty()) return {};
   const auto mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(size));
   std::vector<RenderItem> items;
   for (const MapCell& cell : cells) {

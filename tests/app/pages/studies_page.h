@@ -30,11 +30,12 @@ class StudiesPage : public RobotPage {
 
   StudiesPage() {
     namespace fs = std::filesystem;
-    const auto folder = config::findShippedFile("studies");
-    EXPECT_TRUE(folder.has_value());
+    const auto shipped = config::findShippedFile("studies");
+    EXPECT_TRUE(shipped.has_value());
+    const fs::path folder(*shipped);
     for (const char* name : {"car-door.hcell", "car-door-welds.csv"})
-      fs::copy_file(*folder / name, fs::path(folder_.path().toStdString()) / name);
-    std::string text = contentOf(QString::fromStdString((*folder / "car-door-robot.hstudy").string()));
+      fs::copy_file(folder / name, fs::path(folder_.path().toStdString()) / name);
+    std::string text = contentOf(QString::fromStdString((folder / "car-door-robot.hstudy").string()));
     replace(text, "steps = 7", "steps = 2");
     replace(text, "steps = 7", "steps = 3");
     replace(text, "turns = 8", "turns = 2");
