@@ -77,6 +77,7 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   kind_ = new Segmented({tr("Table"), tr("Scatter"), tr("Parallel")});
   kind_->setObjectName("segmentsResults");
   kind_->setAccessibleName(tr("View of the results"));
+  kind_->setCurrent(kTable);
   across_ = makeColumnChoice("choiceAcross", tr("Result across"));
   up_ = makeColumnChoice("choiceUp", tr("Result upwards"));
   color_ = makeColumnChoice("choiceColor", tr("Result that colours map and lines"));

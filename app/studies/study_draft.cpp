@@ -78,7 +78,10 @@ QString StudyDraft::cell() const {
 
 std::optional<Error> StudyDraft::fault() const {
   const auto read = studies::StudyDocument::parse(text_.text(), file_.isEmpty() ? "new.hstudy" : file_.toStdString());
-  return read ? std::nullopt : std::optional(read.error());
+  if (read) return std::nullopt;
+  Error error = read.error();
+  error.file.clear();  // The one that is shown.
+  return error;
 }
 
 void StudyDraft::begin(const QString& cell) {

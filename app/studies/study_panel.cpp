@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -90,7 +89,8 @@ void StudyPanel::addTop(QVBoxLayout& column) {
   save_ = makeStudyButton("buttonSaveStudy", tr("Save"));
   save_as_ = makeStudyButton("buttonSaveStudyAs", tr("Save as…"));
   begin->setToolTip(tr("Begin a study of the open workcell"));
-  top->addWidget(sideBySide({begin, open, save_, save_as_}));
+  top->addWidget(sideBySide({begin, open}));
+  top->addWidget(sideBySide({save_, save_as_}));
   about_ = makeLive(2, TextRole::kText);
   about_->setObjectName("labelStudy");
   top->addWidget(about_);
@@ -105,12 +105,7 @@ void StudyPanel::addContent(QVBoxLayout& column) {
   tree_ = new StudyTree(draft_);
   tree_->setFixedHeight(210);
   content->addWidget(tree_);
-  add_ = new QToolButton;
-  add_->setObjectName("buttonAddToStudy");
-  add_->setText(tr("Add"));
-  add_->setPopupMode(QToolButton::InstantPopup);
-  add_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  add_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  add_ = makeStudyButton("buttonAddToStudy", tr("Add"));
   auto* menu = new QMenu(add_);
   menu->setObjectName("menuAddToStudy");
   fillMenu(*menu);

@@ -8,7 +8,6 @@
 class QComboBox;
 class QMenu;
 class QPushButton;
-class QToolButton;
 class QVBoxLayout;
 
 namespace hapticell::app {
@@ -54,8 +53,7 @@ class StudyPanel : public QWidget {
   StudyTree* tree_;
   SectionForm* form_;
   LiveLabel *about_, *fault_, *count_;
-  QPushButton *save_, *save_as_, *area_, *remove_;
-  QToolButton* add_;
+  QPushButton *save_, *save_as_, *add_, *area_, *remove_;
   QComboBox *method_, *search_;
   ValueField *samples_, *evaluations_, *starts_;
   QWidget *samples_row_, *search_row_, *evaluations_row_, *starts_row_;
