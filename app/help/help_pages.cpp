@@ -37,6 +37,7 @@ std::vector<HelpChapter> helpContents() {
       {QObject::tr("Mannequin and ergonomics"),
        {"dockMannequin", "dockErgonomics", "dockWorkTask", "dockWorkplace", "dockErgonomicsTime", "dockMarkers",
         "dockReport"}},
+      {QObject::tr("Studies"), {"dockStudy", "dockStudyResults"}},
       {QObject::tr("Files"), {"files"}},
       {QObject::tr("Settings and keys"), {"dockSettings", "keys", "dockMessages"}},
   };

@@ -55,6 +55,8 @@ QString iconNameOf(const QString& dock) {
                                              {"dockTraining", "hands"},
                                              {"dockSettings", "settings"},
                                              {"dockReport", "text"},
+                                             {"dockStudy", "grid"},
+                                             {"dockStudyResults", "grid"},
                                              {"dockTrajectory", "record"},
                                              {"dockCurves", "contrast"},
                                              {"dockCollisions", "contact"},

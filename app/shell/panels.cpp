@@ -25,6 +25,7 @@
 #include "app/panels/cell/workcell_panel.h"
 #include "app/panels/collisions/collisions_panel.h"
 #include "app/robot/robot_docks.h"
+#include "app/studies/studies_docks.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/docks/trajectory_docks.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -109,6 +110,7 @@ void addPanels(Host& host) {
   addMannequinDocks(host);
   addErgonomicsDocks(host);
   addEditDocks(host);
+  addStudiesDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   QObject::connect(&refreshTimer(host), &QTimer::timeout, workcell, [&host, workcell, properties] {

@@ -61,6 +61,14 @@
         <translation><numerusform>%n solid</numerusform><numerusform>%n solids</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation><numerusform>%n value</numerusform><numerusform>%n values</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n variant(s)</source>
+        <translation><numerusform>%n variant</numerusform><numerusform>%n variants</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>Move %n entities</source>
         <translation><numerusform>Move %n entity</numerusform><numerusform>Move %n entities</numerusform></translation>
     </message>

@@ -21,6 +21,10 @@
         <translation><numerusform>·  préparation de %n pièce</numerusform><numerusform>·  préparation de %n pièces</numerusform></translation>
     </message>
     <message>
+        <source> (shown in the scene)</source>
+        <translation> (montrée dans la scène)</translation>
+    </message>
+    <message>
         <source> and %1 more</source>
         <translation> et %1 de plus</translation>
     </message>
@@ -171,6 +175,10 @@
     <message>
         <source>%1 (unplugged)</source>
         <translation>%1 (débranché)</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -421,6 +429,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
     </message>
     <message>
         <source>%1 has %2 numbers</source>
@@ -711,6 +723,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 min</translation>
     </message>
     <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
         <source>%1 mm in front of the flange. To change it, use the Robot panel or undo the insertion.</source>
         <translation>À %1 mm devant la bride. Pour le changer, utilisez le panneau Robot ou annulez l'insertion.</translation>
     </message>
@@ -809,6 +825,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 of %2 variants or searches are in no part</source>
         <translation>%1 variantes ou recherches sur %2 ne sont dans aucune partie</translation>
+    </message>
+    <message>
+        <source>%1 of %2 variants, %3 feasible, %4 on the Pareto front.</source>
+        <translation>%1 variantes sur %2, %3 réalisables, %4 sur le front de Pareto.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 sur %2, %3</translation>
     </message>
     <message>
         <source>%1 of %2:  %3</source>
@@ -1303,6 +1327,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, objet %2</translation>
     </message>
     <message>
+        <source>%1, of %2</source>
+        <translation>%1, de %2</translation>
+    </message>
+    <message>
         <source>%1, one for each joint that moves the tip, base first</source>
         <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
     </message>
@@ -1653,6 +1681,14 @@ Voulez-vous le remplacer ?</translation>
     <message numerus="yes">
         <source>%n solids</source>
         <translation><numerusform>%n solide</numerusform><numerusform>%n solides</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation><numerusform>%n valeur</numerusform><numerusform>%n valeurs</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n variant(s)</source>
+        <translation><numerusform>%n variante</numerusform><numerusform>%n variantes</numerusform></translation>
     </message>
     <message>
         <source>&amp;Add to Custom Colors</source>
@@ -2311,6 +2347,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0.1 à 99.9</translation>
     </message>
     <message>
+        <source>0.1, 0.2, … in metres</source>
+        <translation>0.1, 0.2, … en mètres</translation>
+    </message>
+    <message>
         <source>1 damaged entry (%1)</source>
         <translation>1 entrée endommagée (%1)</translation>
     </message>
@@ -2349,6 +2389,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>1 to 60 letters, digits, '_' and '-'</source>
         <translation>1 à 60 lettres, chiffres, « _ » et « - »</translation>
+    </message>
+    <message>
+        <source>1, 2, …</source>
+        <translation>1, 2, …</translation>
     </message>
     <message>
         <source>1, the newest version that this program can read</source>
@@ -2587,6 +2631,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une mesure de la personne remplace la valeur la plus probable de l'enquête (ANSUR II)</translation>
     </message>
     <message>
+        <source>A new evaluation differs from the results file. Undo, and run the study again: the row was changed, or made by another kind of processor.</source>
+        <translation>Une nouvelle évaluation diffère du fichier de résultats. Annulez et relancez l'étude : la ligne a été modifiée, ou faite par un autre type de processeur.</translation>
+    </message>
+    <message>
         <source>A new workcell</source>
         <translation>Une nouvelle cellule</translation>
     </message>
@@ -2605,6 +2653,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A report of the crash was saved on this computer</source>
         <translation>Un rapport du plantage a été enregistré sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>A study names the file of its workcell, and this one has none yet.</source>
+        <translation>Une étude nomme le fichier de sa cellule, et celle-ci n'en a pas encore.</translation>
     </message>
     <message>
         <source>A trajectory is not saved</source>
@@ -2633,6 +2685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>About HaptiCell</source>
         <translation>À propos de HaptiCell</translation>
+    </message>
+    <message>
+        <source>Absolute</source>
+        <translation>Absolue</translation>
     </message>
     <message>
         <source>Accel.</source>
@@ -2715,6 +2771,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajoutez les morceaux manquants, ou fusionnez avec --partial et laissez study run compléter le résultat.</translation>
     </message>
     <message>
+        <source>Add the selected frames</source>
+        <translation>Ajouter les repères sélectionnés</translation>
+    </message>
+    <message>
         <source>Add with size</source>
         <translation>Ajouter avec taille</translation>
     </message>
@@ -2767,8 +2827,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les constructeurs</translation>
     </message>
     <message>
+        <source>All of the library</source>
+        <translation>Toute la bibliothèque</translation>
+    </message>
+    <message>
         <source>All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
         <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>All variants over what varies and what counts</source>
+        <translation>Toutes les variantes selon ce qui varie et ce qui compte</translation>
     </message>
     <message>
         <source>Allow motion along %1 (%1: only this axis)</source>
@@ -2955,8 +3023,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>À sa place actuelle</translation>
     </message>
     <message>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
         <source>At least %1. You typed %2.</source>
         <translation>Au moins %1. Vous avez saisi %2.</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
     </message>
     <message>
         <source>At most %1 from the recording; jerk %2 → %3 m/s³</source>
@@ -3027,6 +3103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrière</translation>
     </message>
     <message>
+        <source>Balance</source>
+        <translation>Équilibre</translation>
+    </message>
+    <message>
         <source>Balance: %1 inside the soles</source>
         <translation>Équilibre : %1 à l'intérieur des semelles</translation>
     </message>
@@ -3055,12 +3135,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Base, TCP fixe</translation>
     </message>
     <message>
+        <source>Begin a study of the open workcell</source>
+        <translation>Commencer une étude de la cellule ouverte</translation>
+    </message>
+    <message>
+        <source>Begin a study of the open workcell, or open one.</source>
+        <translation>Commencez une étude de la cellule ouverte, ou ouvrez-en une.</translation>
+    </message>
+    <message>
         <source>Belly depth, sitting</source>
         <translation>Profondeur du ventre, assis</translation>
     </message>
     <message>
         <source>Below this distance: shown and heard, not felt</source>
         <translation>Sous cette distance : montré et entendu, pas senti</translation>
+    </message>
+    <message>
+        <source>Best configuration</source>
+        <translation>Meilleure configuration</translation>
     </message>
     <message>
         <source>Between centres or axes</source>
@@ -3085,6 +3177,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Blend radius between moves</source>
         <translation>Rayon d'arrondi entre les déplacements</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Body size</source>
+        <translation>Taille du corps</translation>
     </message>
     <message>
         <source>Bore</source>
@@ -3327,6 +3427,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez ses droits d'accès.</translation>
     </message>
     <message>
+        <source>Check motions</source>
+        <translation>Vérifier les mouvements</translation>
+    </message>
+    <message>
         <source>Check results</source>
         <translation>Résultats de la vérification</translation>
     </message>
@@ -3389,6 +3493,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose a file to see what it is.</source>
         <translation>Choisissez un fichier pour voir ce que c'est.</translation>
+    </message>
+    <message>
+        <source>Choose a line above, or add one.</source>
+        <translation>Choisissez une ligne ci-dessus, ou ajoutez-en une.</translation>
     </message>
     <message>
         <source>Choose a motion first.</source>
@@ -3459,6 +3567,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
     <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Chunks</source>
+        <translation>Parts</translation>
+    </message>
+    <message>
         <source>Circle</source>
         <translation>Cercle</translation>
     </message>
@@ -3477,6 +3593,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clear the list</source>
         <translation>Effacer la liste</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Distance libre</translation>
     </message>
     <message>
         <source>Clearance, nearest pair</source>
@@ -3595,6 +3715,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fermer le panneau ; le menu Fenêtre le rouvre</translation>
     </message>
     <message>
+        <source>Cluster</source>
+        <translation>Grappe</translation>
+    </message>
+    <message>
         <source>Clutch</source>
         <translation>Débrayé</translation>
     </message>
@@ -3631,6 +3755,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Couleur de la pièce</translation>
     </message>
     <message>
+        <source>Colour the places of the variants in the scene</source>
+        <translation>Colorer les places des variantes dans la scène</translation>
+    </message>
+    <message>
+        <source>Colours of the map</source>
+        <translation>Couleurs de la carte</translation>
+    </message>
+    <message>
         <source>Columns</source>
         <translation>Colonnes</translation>
     </message>
@@ -3661,6 +3793,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Compared with the saved cell…</source>
         <translation>Par rapport à la cellule enregistrée…</translation>
+    </message>
+    <message>
+        <source>Complete.</source>
+        <translation>Terminée.</translation>
     </message>
     <message>
         <source>Computer</source>
@@ -3791,6 +3927,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les contacts arrivent à temps</translation>
     </message>
     <message>
+        <source>Content</source>
+        <translation>Contenu</translation>
+    </message>
+    <message>
         <source>Contents</source>
         <translation>Sommaire</translation>
     </message>
@@ -3825,6 +3965,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Copy the file to this folder. A .gltf needs its .bin files.</source>
         <translation>Copiez le fichier dans ce dossier. Un .gltf a besoin de ses fichiers .bin.</translation>
+    </message>
+    <message>
+        <source>Cores each</source>
+        <translation>Cœurs/part</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -3941,6 +4085,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Custom limits: %1</source>
         <translation>Limites propres : %1</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
     </message>
     <message>
         <source>Cylinder</source>
@@ -4171,6 +4319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Durée</translation>
     </message>
     <message>
+        <source>Dwell</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
         <source>Dwell here</source>
         <translation>Temporiser</translation>
     </message>
@@ -4229,6 +4381,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Edit name, task and guidance; a shipped exercise is copied</source>
         <translation>Modifier nom, tâche, assistance ; un exercice fourni est copié</translation>
+    </message>
+    <message>
+        <source>Edit the study as text.</source>
+        <translation>Modifiez l'étude comme texte.</translation>
     </message>
     <message>
         <source>Edit…</source>
@@ -4301,6 +4457,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Every</source>
         <translation>Tous les</translation>
+    </message>
+    <message>
+        <source>Every combination</source>
+        <translation>Toutes les combinaisons</translation>
     </message>
     <message>
         <source>Every user of this machine can see a code on the command line while the command runs. Leave it out to type it.</source>
@@ -4435,6 +4595,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exportez plutôt ses poses en csv ou json.</translation>
     </message>
     <message>
+        <source>Export the results</source>
+        <translation>Exporter les résultats</translation>
+    </message>
+    <message>
         <source>Exported program</source>
         <translation>Programme exporté</translation>
     </message>
@@ -4501,6 +4665,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Fault ({}) at tick {}: {}</source>
         <translation>Fault ({}) at tick {}: {}</translation>
+    </message>
+    <message>
+        <source>Feasible</source>
+        <translation>Réalisable</translation>
     </message>
     <message>
         <source>Feel and files</source>
@@ -4637,6 +4805,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Flip the axis or normal</source>
         <translation>Inverser l'axe ou la normale</translation>
+    </message>
+    <message>
+        <source>Floor area</source>
+        <translation>Zone au sol</translation>
     </message>
     <message>
         <source>Foam</source>
@@ -4843,12 +5015,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de Frame Time:</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
         <source>Frames are missing or repeated: export the file again.</source>
         <translation>Écrivez de nouveau le fichier : des images manquent ou sont en double.</translation>
     </message>
     <message>
         <source>Frames recorded: %1</source>
         <translation>Images enregistrées : %1</translation>
+    </message>
+    <message>
+        <source>Frames that are targets</source>
+        <translation>Repères qui sont des cibles</translation>
     </message>
     <message>
         <source>Frames within this time follow when you move a frame</source>
@@ -5033,6 +5213,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>HOST:PORT with a port from 1 to 65535</source>
         <translation>HOST:PORT avec un port de 1 à 65535</translation>
+    </message>
+    <message>
+        <source>Halton samples</source>
+        <translation>Échantillons de Halton</translation>
     </message>
     <message>
         <source>Hand breadth</source>
@@ -5507,6 +5691,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>À-coup</translation>
     </message>
     <message>
+        <source>Job %1: %2 of %3 chunks complete. Stop only ends the following.</source>
+        <translation>Tâche %1 : %2 parts sur %3 terminées. Arrêter met seulement fin au suivi.</translation>
+    </message>
+    <message>
         <source>Jog %1 of %2</source>
         <translation>Déplacement manuel %1 de %2</translation>
     </message>
@@ -5533,6 +5721,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint limits, from the current position</source>
         <translation>Butées, depuis la position actuelle</translation>
+    </message>
+    <message>
+        <source>Joint margin</source>
+        <translation>Marge articulaire</translation>
     </message>
     <message>
         <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
@@ -5603,6 +5795,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder le bouton du stylet pressé pour déplacer</translation>
     </message>
     <message>
+        <source>Kept as written: %1</source>
+        <translation>Gardé tel quel : %1</translation>
+    </message>
+    <message>
         <source>Key</source>
         <translation>Touche</translation>
     </message>
@@ -5613,6 +5809,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keys</source>
         <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Kind of values</source>
+        <translation>Type de valeurs</translation>
     </message>
     <message>
         <source>Kneeling</source>
@@ -5633,6 +5833,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Language of the report</source>
         <translation>Langue du rapport</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>Grand</translation>
     </message>
     <message>
         <source>Largest mass with felt inertia</source>
@@ -5771,6 +5975,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
     </message>
     <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Lists in step</source>
+        <translation>Listes en parallèle</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -5829,6 +6041,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Logo</source>
         <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Look as far as</source>
+        <translation>Portée</translation>
     </message>
     <message>
         <source>Look at part</source>
@@ -5891,6 +6107,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Homme, %1, %2 kg</translation>
     </message>
     <message>
+        <source>Manipulability</source>
+        <translation>Manipulabilité</translation>
+    </message>
+    <message>
         <source>Manipulation loop, dashed</source>
         <translation>Boucle de manipulation, en tirets</translation>
     </message>
@@ -5909,6 +6129,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Manufacturer</source>
         <translation>Constructeur</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
     </message>
     <message>
         <source>Markers (*.c3d);;All files (*)</source>
@@ -5933,6 +6157,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Max mm</source>
         <translation>Max mm</translation>
+    </message>
+    <message>
+        <source>May step</source>
+        <translation>Peut avancer</translation>
     </message>
     <message>
         <source>Mean deviation that loses all points for it</source>
@@ -5977,6 +6205,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Messages</source>
         <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Méthodes</translation>
     </message>
     <message>
         <source>Metres</source>
@@ -6105,6 +6341,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move solids, robots and people in a CAD workcell, and feel the contacts.</source>
         <translation>Déplacer solides, robots et personnes dans une cellule CAO, et sentir les contacts.</translation>
+    </message>
+    <message>
+        <source>Move some away.</source>
+        <translation>Déplacez-en quelques-uns.</translation>
     </message>
     <message>
         <source>Move the TCP of %1</source>
@@ -6355,6 +6595,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nouveau jeu de paires</translation>
     </message>
     <message>
+        <source>New study</source>
+        <translation>Nouvelle étude</translation>
+    </message>
+    <message>
         <source>New timing along the same path</source>
         <translation>Nouveaux temps sur le même chemin</translation>
     </message>
@@ -6551,6 +6795,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun fichier récent. On peut aussi déposer des fichiers ici.</translation>
     </message>
     <message>
+        <source>No results yet</source>
+        <translation>Pas encore de résultats</translation>
+    </message>
+    <message>
+        <source>No results yet.</source>
+        <translation>Pas encore de résultats.</translation>
+    </message>
+    <message>
+        <source>No results yet. Run a study, or open a results file.</source>
+        <translation>Pas encore de résultats. Lancez une étude, ou ouvrez un fichier de résultats.</translation>
+    </message>
+    <message>
         <source>No robot is selected</source>
         <translation>Aucun robot n'est choisi</translation>
     </message>
@@ -6583,6 +6839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune table de force n'est fournie ; vous pouvez charger la vôtre.</translation>
     </message>
     <message>
+        <source>No study is open.</source>
+        <translation>Aucune étude n'est ouverte.</translation>
+    </message>
+    <message>
         <source>No stylus is connected</source>
         <translation>Aucun stylet n'est connecté</translation>
     </message>
@@ -6599,6 +6859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune. Enregistrer cette vue en ajoute une.</translation>
     </message>
     <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
         <source>Not calibrated. Forces stay off until it is.</source>
         <translation>Non étalonné. Les efforts restent coupés d'ici là.</translation>
     </message>
@@ -6609,6 +6873,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Not chosen yet</source>
         <translation>Pas encore choisi</translation>
+    </message>
+    <message>
+        <source>Not complete: %1</source>
+        <translation>Incomplète : %1</translation>
     </message>
     <message>
         <source>Not connected</source>
@@ -6703,6 +6971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'a été écrit. Pour écrire quand même le fichier, utilisez --allow-miss.</translation>
     </message>
     <message>
+        <source>Number of values for a grid; 0: any value between, for samples and searches</source>
+        <translation>Nombre de valeurs pour une grille ; 0 : toute valeur entre les deux, pour échantillons et recherches</translation>
+    </message>
+    <message>
         <source>OBJ (*.obj)</source>
         <translation>OBJ (*.obj)</translation>
     </message>
@@ -6717,6 +6989,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>OWAS</source>
         <translation>OWAS</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Objectives</source>
+        <translation>Objectifs</translation>
     </message>
     <message>
         <source>Observing: another window controls the stylus</source>
@@ -6823,6 +7103,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrez un enregistrement de marqueurs (C3D) pour les voir dans la scène.</translation>
     </message>
     <message>
+        <source>Open a study</source>
+        <translation>Ouvrir une étude</translation>
+    </message>
+    <message>
+        <source>Open a study…</source>
+        <translation>Ouvrir une étude…</translation>
+    </message>
+    <message>
         <source>Open a workcell</source>
         <translation>Ouvrir une cellule</translation>
     </message>
@@ -6843,6 +7131,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrez-le avec une version plus récente de HaptiCell.</translation>
     </message>
     <message>
+        <source>Open its cell</source>
+        <translation>Ouvrir sa cellule</translation>
+    </message>
+    <message>
         <source>Open markers…</source>
         <translation>Ouvrir des marqueurs…</translation>
     </message>
@@ -6859,6 +7151,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir des marqueurs enregistrés</translation>
     </message>
     <message>
+        <source>Open results of a study</source>
+        <translation>Ouvrir les résultats d'une étude</translation>
+    </message>
+    <message>
+        <source>Open results of a study…</source>
+        <translation>Ouvrir les résultats d'une étude…</translation>
+    </message>
+    <message>
         <source>Open the .src file.</source>
         <translation>Ouvrez le fichier .src.</translation>
     </message>
@@ -6869,6 +7169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Open the file</source>
         <translation>Ouvrir le fichier</translation>
+    </message>
+    <message>
+        <source>Open the study's cell.</source>
+        <translation>Ouvrez la cellule de l'étude.</translation>
     </message>
     <message>
         <source>Open — %1</source>
@@ -6883,8 +7187,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir…</translation>
     </message>
     <message>
+        <source>Or several</source>
+        <translation>Ou plusieurs</translation>
+    </message>
+    <message>
         <source>Orient faces outwards</source>
         <translation>Orienter les faces vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientation</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -7087,6 +7399,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Panneau</translation>
     </message>
     <message>
+        <source>Parallel</source>
+        <translation>Parallèles</translation>
+    </message>
+    <message>
         <source>Parent</source>
         <translation>Parent</translation>
     </message>
@@ -7109,6 +7425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Partial scores: %1 not entered. Complete them in Task data…</source>
         <translation>Scores incomplets ; à saisir dans Données de la tâche… : %1.</translation>
+    </message>
+    <message>
+        <source>Partition</source>
+        <translation>Partition</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -7495,6 +7815,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Préparation des contacts</translation>
     </message>
     <message>
+        <source>Preparing the cell of the study…</source>
+        <translation>Préparation de la cellule de l'étude…</translation>
+    </message>
+    <message>
         <source>Preparing the contacts was given up: what was changed is not felt yet</source>
         <translation>La préparation des contacts a été abandonnée : ce qui a changé ne se sent pas encore</translation>
     </message>
@@ -7703,8 +8027,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>En atteignant</translation>
     </message>
     <message>
-        <source>Read the files task-N.log in this folder, then run the same command again.</source>
-        <translation>Lisez les fichiers task-N.log de ce dossier, puis relancez la même commande.</translation>
+        <source>Read the files task-N.log in this folder, then submit again.</source>
+        <translation>Lisez les fichiers task-N.log de ce dossier, puis soumettez de nouveau.</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -7717,6 +8041,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Reading motions</source>
         <translation>Lecture des mouvements</translation>
+    </message>
+    <message>
+        <source>Reading the cell and preparing all shapes…</source>
+        <translation>Lecture de la cellule et préparation de toutes les formes…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -7931,8 +8259,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Restaurer</translation>
     </message>
     <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Result across</source>
+        <translation>Résultat en abscisse</translation>
+    </message>
+    <message>
+        <source>Result that colours map and lines</source>
+        <translation>Résultat qui colore carte et tracés</translation>
+    </message>
+    <message>
+        <source>Result upwards</source>
+        <translation>Résultat en ordonnée</translation>
+    </message>
+    <message>
         <source>Results</source>
         <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Results of studies (*.hresults)</source>
+        <translation>Résultats d'études (*.hresults)</translation>
     </message>
     <message>
         <source>Retention</source>
@@ -7953,6 +8301,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Retract</source>
         <translation>Dégagement</translation>
+    </message>
+    <message>
+        <source>Returns</source>
+        <translation>Revient</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -8001,6 +8353,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Robot library</source>
         <translation>Bibliothèque de robots</translation>
+    </message>
+    <message>
+        <source>Robot model</source>
+        <translation>Modèle de robot</translation>
     </message>
     <message>
         <source>Robot near a singularity</source>
@@ -8065,10 +8421,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Run the same command again to continue.</source>
         <translation>Relancez la même commande pour continuer.</translation>
-    </message>
-    <message>
-        <source>Run the same command again: it submits only the chunks that are missing then.</source>
-        <translation>Relancez la même commande : elle ne soumet que les morceaux qui manquent alors.</translation>
     </message>
     <message>
         <source>Run the study again: the row was changed, or made by another kind of processor.</source>
@@ -8163,6 +8515,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le rapport des changements</translation>
     </message>
     <message>
+        <source>Save the changes of &quot;%1&quot;?</source>
+        <translation>Enregistrer les modifications de « %1 » ?</translation>
+    </message>
+    <message>
         <source>Save the exercise</source>
         <translation>Enregistrer l'exercice</translation>
     </message>
@@ -8179,8 +8535,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le rapport</translation>
     </message>
     <message>
+        <source>Save the study</source>
+        <translation>Enregistrer l'étude</translation>
+    </message>
+    <message>
         <source>Save the workcell</source>
         <translation>Enregistrer la cellule</translation>
+    </message>
+    <message>
+        <source>Save the workcell first</source>
+        <translation>Enregistrez d'abord la cellule</translation>
+    </message>
+    <message>
+        <source>Save the workcell first: a study names its file.</source>
+        <translation>Enregistrez d'abord la cellule : une étude nomme son fichier.</translation>
     </message>
     <message>
         <source>Save this cell first, then choose the exercise again.</source>
@@ -8239,6 +8607,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échelle : mouvement de la pièce pour celui de la main</translation>
     </message>
     <message>
+        <source>Scatter</source>
+        <translation>Nuage</translation>
+    </message>
+    <message>
         <source>Scene</source>
         <translation>Scène</translation>
     </message>
@@ -8263,12 +8635,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vis</translation>
     </message>
     <message>
+        <source>Script of the job</source>
+        <translation>Script de la tâche</translation>
+    </message>
+    <message>
         <source>Search</source>
         <translation>Chercher</translation>
     </message>
     <message>
         <source>Search again</source>
         <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>Search for the best</source>
+        <translation>Recherche du meilleur</translation>
     </message>
     <message>
         <source>Search the library</source>
@@ -8339,6 +8719,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisir</translation>
     </message>
     <message>
+        <source>Select a bench, a shelf or a fixture; with several mannequins in the cell, also the one that shows the work. Then add the workplace again.</source>
+        <translation>Sélectionnez un établi, une étagère ou un posage ; s'il y a plusieurs mannequins dans la cellule, aussi celui qui montre le travail. Puis ajoutez de nouveau le poste.</translation>
+    </message>
+    <message>
         <source>Select a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -8357,6 +8741,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Select or hold an entity to see what it is checked against.</source>
         <translation>Choisissez ou tenez une entité pour voir contre quoi elle est vérifiée.</translation>
+    </message>
+    <message>
+        <source>Select the parts that can move</source>
+        <translation>Sélectionnez les pièces qui peuvent bouger</translation>
+    </message>
+    <message>
+        <source>Select the parts that can move, and the mannequin if there are several.</source>
+        <translation>Sélectionnez les pièces qui peuvent bouger, et le mannequin s'il y en a plusieurs.</translation>
     </message>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
@@ -8455,6 +8847,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Shift-JIS (japonais)</translation>
     </message>
     <message>
+        <source>Should be</source>
+        <translation>Doit être</translation>
+    </message>
+    <message>
         <source>Shoulder breadth</source>
         <translation>Largeur des épaules</translation>
     </message>
@@ -8495,8 +8891,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces en pleines couleurs</translation>
     </message>
     <message>
+        <source>Show the cell</source>
+        <translation>Montrer la cellule</translation>
+    </message>
+    <message>
+        <source>Show the cell as it is in the document again</source>
+        <translation>Montrer de nouveau la cellule telle qu'elle est dans le document</translation>
+    </message>
+    <message>
         <source>Show the motion in the scene; off: show the cell</source>
         <translation>Montrer le mouvement dans la scène ; arrêt : la cellule</translation>
+    </message>
+    <message>
+        <source>Show the script</source>
+        <translation>Montrer le script</translation>
     </message>
     <message>
         <source>Show the start page at start-up</source>
@@ -8525,6 +8933,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Side panels</source>
         <translation>Panneaux latéraux</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
     </message>
     <message>
         <source>Silent for too long: %1 controls the stylus now.</source>
@@ -8567,6 +8983,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Taille %1</translation>
     </message>
     <message>
+        <source>Size of a part</source>
+        <translation>Dimension d'une pièce</translation>
+    </message>
+    <message>
         <source>Size, ANSUR II</source>
         <translation>Taille, ANSUR II</translation>
     </message>
@@ -8583,8 +9003,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lenteur</translation>
     </message>
     <message>
+        <source>Slurm</source>
+        <translation>Slurm</translation>
+    </message>
+    <message>
         <source>Slurm's commands in PATH</source>
         <translation>les commandes de Slurm dans PATH</translation>
+    </message>
+    <message>
+        <source>Small</source>
+        <translation>Petit</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -8609,6 +9037,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Snapping to corners, edges, faces and frames · Ctrl: free · Esc: cancel</source>
         <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap : annuler</translation>
+    </message>
+    <message>
+        <source>Sobol samples</source>
+        <translation>Échantillons de Sobol</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -8711,6 +9143,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Commencer sans efforts</translation>
     </message>
     <message>
+        <source>Starts</source>
+        <translation>Départs</translation>
+    </message>
+    <message>
         <source>State</source>
         <translation>État</translation>
     </message>
@@ -8775,8 +9211,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrêté</translation>
     </message>
     <message>
+        <source>Stopped; the rows so far are kept. Run continues.</source>
+        <translation>Arrêtée ; les lignes faites sont gardées. Lancer continue.</translation>
+    </message>
+    <message>
+        <source>Stopping after the variants that are being evaluated…</source>
+        <translation>Arrêt après les variantes en cours d'évaluation…</translation>
+    </message>
+    <message>
         <source>Stops</source>
         <translation>Butées</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Études</translation>
+    </message>
+    <message>
+        <source>Studies (*.hstudy)</source>
+        <translation>Études (*.hstudy)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Study results</source>
+        <translation>Résultats d'étude</translation>
     </message>
     <message>
         <source>Stylus</source>
@@ -8805,6 +9265,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Sub-scores of the worse side</source>
         <translation>Scores partiels du côté le plus défavorable</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>Soumettre</translation>
+    </message>
+    <message>
+        <source>Submit again: only the chunks that are missing then are submitted.</source>
+        <translation>Soumettez de nouveau : seules les parts qui manquent alors sont soumises.</translation>
+    </message>
+    <message>
+        <source>Submitting…</source>
+        <translation>Soumission…</translation>
     </message>
     <message>
         <source>Sudden loads</source>
@@ -8871,6 +9343,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tableau (.csv)</translation>
     </message>
     <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
         <source>Tables (*.csv);;All files (*)</source>
         <translation>Tables (*.csv);;Tous les fichiers (*)</translation>
     </message>
@@ -8885,6 +9361,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Taking the stylus.</source>
         <translation>Prise du stylet.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Cibles</translation>
     </message>
     <message>
         <source>Task</source>
@@ -8961,6 +9445,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The body measures are of adults; outside this range, the regressions are not valid.</source>
         <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
+    </message>
+    <message>
+        <source>The cell already stands in variant %1</source>
+        <translation>La cellule est déjà dans la variante %1</translation>
+    </message>
+    <message>
+        <source>The cell differs from the one that was studied</source>
+        <translation>La cellule diffère de celle qui a été étudiée</translation>
     </message>
     <message>
         <source>The cell has changed: search again.</source>
@@ -9171,6 +9663,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le rayon intérieur doit être plus petit que le rayon extérieur</translation>
     </message>
     <message>
+        <source>The job has ended; its results are merged.</source>
+        <translation>La tâche est terminée ; ses résultats sont réunis.</translation>
+    </message>
+    <message>
         <source>The key for the haptic server cannot be used.</source>
         <translation>La clé du serveur haptique n'est pas utilisable.</translation>
     </message>
@@ -9363,6 +9859,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le résultat n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The results could not be exported</source>
+        <translation>Les résultats n'ont pas pu être exportés</translation>
+    </message>
+    <message>
+        <source>The results could not be opened</source>
+        <translation>Les résultats n'ont pas pu être ouverts</translation>
+    </message>
+    <message>
         <source>The right arm is supported</source>
         <translation>Le bras droit est appuyé</translation>
     </message>
@@ -9411,6 +9915,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le second stylet s'est déconnecté. Choisissez-le de nouveau pour le démarrer.</translation>
     </message>
     <message>
+        <source>The selected part or robot may stand anywhere in a rectangle; drag its handles in the scene</source>
+        <translation>La pièce ou le robot sélectionné peut se trouver partout dans un rectangle ; tirez ses poignées dans la scène</translation>
+    </message>
+    <message>
         <source>The selected row is dashed in the scene.</source>
         <translation>La ligne choisie est en tirets dans la scène.</translation>
     </message>
@@ -9437,6 +9945,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The sizes that cover most users: P5 and P50 woman, P50 and P95 man</source>
         <translation>Les tailles qui couvrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
+    </message>
+    <message>
+        <source>The study could not be opened</source>
+        <translation>L'étude n'a pas pu être ouverte</translation>
+    </message>
+    <message>
+        <source>The study could not be saved</source>
+        <translation>L'étude n'a pas pu être enregistrée</translation>
+    </message>
+    <message>
+        <source>The study did not run</source>
+        <translation>L'étude n'a pas été exécutée</translation>
+    </message>
+    <message>
+        <source>The study is about %1, not about the open workcell.</source>
+        <translation>L'étude porte sur %1, pas sur la cellule ouverte.</translation>
+    </message>
+    <message>
+        <source>The study was not changed</source>
+        <translation>L'étude n'a pas été modifiée</translation>
     </message>
     <message>
         <source>The stylus follows the mouse · wheel: depth · Ctrl: rotate · left button: %1 · H: end</source>
@@ -9473,6 +10001,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The trunk is supported (backrest)</source>
         <translation>Le tronc est appuyé (dossier)</translation>
+    </message>
+    <message>
+        <source>The workcell has changes that are not saved, and the study reads its file. Save the workcell first.</source>
+        <translation>La cellule a des modifications non enregistrées, et l'étude lit son fichier. Enregistrez d'abord la cellule.</translation>
     </message>
     <message>
         <source>The workcell was not saved</source>
@@ -9517,6 +10049,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>These are the markers of %1. To put the recording on the mannequin: Mannequin &gt; Open a recorded motion.</source>
         <translation>Ce sont les marqueurs de %1. Pour les poser sur le mannequin : Mannequin &gt; Ouvrir un mouvement enregistré.</translation>
+    </message>
+    <message>
+        <source>These frames are the targets</source>
+        <translation>Ces repères sont les cibles</translation>
     </message>
     <message>
         <source>These parts can move, with the targets of the hands</source>
@@ -9611,6 +10147,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce poste n'a pas de clé pour le serveur haptique à %1.</translation>
     </message>
     <message>
+        <source>This variant cannot be shown</source>
+        <translation>Cette variante ne peut pas être montrée</translation>
+    </message>
+    <message>
+        <source>This variant cannot be used</source>
+        <translation>Cette variante ne peut pas être utilisée</translation>
+    </message>
+    <message>
         <source>Through its eyes</source>
         <translation>Par ses yeux</translation>
     </message>
@@ -9635,12 +10179,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
+        <source>Time limit</source>
+        <translation>Durée max.</translation>
+    </message>
+    <message>
         <source>Time s</source>
         <translation>Temps s</translation>
     </message>
     <message>
         <source>Time to reach the greatest acceleration</source>
         <translation>Temps pour atteindre la plus grande accélération</translation>
+    </message>
+    <message>
+        <source>Time to speed</source>
+        <translation>Accélération</translation>
     </message>
     <message>
         <source>Times</source>
@@ -9701,6 +10253,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Tool centre points</source>
         <translation>Centres outil</translation>
+    </message>
+    <message>
+        <source>Tool offset</source>
+        <translation>Décalage de l'outil</translation>
+    </message>
+    <message>
+        <source>Tool turns</source>
+        <translation>Tours outil</translation>
     </message>
     <message>
         <source>Tool, base and safety settings stay those of the controller</source>
@@ -9825,6 +10385,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Two hands</source>
         <translation>Deux mains</translation>
+    </message>
+    <message>
+        <source>Two results of all variants</source>
+        <translation>Deux résultats de toutes les variantes</translation>
     </message>
     <message>
         <source>Type</source>
@@ -10003,12 +10567,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>Utiliser celui-ci</translation>
     </message>
     <message>
+        <source>Use this variant</source>
+        <translation>Utiliser cette variante</translation>
+    </message>
+    <message>
         <source>Use time-optimal timing (joint limits).</source>
         <translation>Utilisez le calcul en temps optimal (limites des axes).</translation>
     </message>
     <message>
         <source>Use trajectory export for other formats.</source>
         <translation>Utilisez trajectory export pour les autres formats.</translation>
+    </message>
+    <message>
+        <source>Use variant %1</source>
+        <translation>Utiliser la variante %1</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Variant %1
+%2: %3
+%4: %5</source>
+        <translation>Variante %1
+%2 : %3
+%4 : %5</translation>
+    </message>
+    <message>
+        <source>Variant %1 does not have the results of its row</source>
+        <translation>La variante %1 n'a pas les résultats de sa ligne</translation>
+    </message>
+    <message>
+        <source>Variant %1 is in use, but other things stand elsewhere than in the study, so its results may not hold. Undo, or run the study again for the cell as it is now.</source>
+        <translation>La variante %1 est utilisée, mais d'autres choses sont ailleurs que dans l'étude ; ses résultats ne valent peut-être pas. Annulez, ou relancez l'étude pour la cellule actuelle.</translation>
+    </message>
+    <message>
+        <source>Variant %1: %2</source>
+        <translation>Variante %1 : %2</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Variantes</translation>
     </message>
     <message>
         <source>Video of the motion</source>
@@ -10029,6 +10633,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>View %1</source>
         <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>View of the results</source>
+        <translation>Vue des résultats</translation>
     </message>
     <message>
         <source>Virtual Desktop</source>
@@ -10063,6 +10671,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avertissement</translation>
     </message>
     <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
         <source>Weight limit</source>
         <translation>Poids limite</translation>
     </message>
@@ -10079,8 +10691,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version.</translation>
     </message>
     <message>
+        <source>What is asked</source>
+        <translation>Ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>What must hold</source>
+        <translation>Ce qui est exigé</translation>
+    </message>
+    <message>
         <source>What the 3D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
+    </message>
+    <message>
+        <source>What the study says</source>
+        <translation>Ce que dit l'étude</translation>
     </message>
     <message>
         <source>What the tip touches</source>
@@ -10093,6 +10717,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What to pick</source>
         <translation>Quoi désigner</translation>
+    </message>
+    <message>
+        <source>What varies</source>
+        <translation>Ce qui varie</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -10159,6 +10787,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Travail</translation>
     </message>
     <message>
+        <source>Work task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
         <source>Workcell</source>
         <translation>Cellule</translation>
     </message>
@@ -10173,6 +10805,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Working zones (as EN ISO 14738)</source>
         <translation>Zones de travail (d'après EN ISO 14738)</translation>
+    </message>
+    <message>
+        <source>Workplace for four bodies</source>
+        <translation>Poste pour quatre corps</translation>
     </message>
     <message>
         <source>Workplace search</source>
@@ -10225,6 +10861,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Written to %1. Submit starts it.</source>
+        <translation>Écrit dans %1. Soumettre le lance.</translation>
     </message>
     <message>
         <source>X</source>
@@ -10793,6 +11433,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a frame of an entity</source>
         <translation>un repère d'une entité</translation>
+    </message>
+    <message>
+        <source>a frame of the cell, an entity, or ENTITY/FRAME for a frame of an entity</source>
+        <translation>un repère de la cellule, une entité, ou ENTITÉ/REPÈRE pour un repère d'une entité</translation>
     </message>
     <message>
         <source>a function</source>
@@ -11787,6 +12431,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une table de marqueurs pour un squelette</translation>
     </message>
     <message>
+        <source>a table with a header such as [[vary]]</source>
+        <translation>une table avec un en-tête tel que [[vary]]</translation>
+    </message>
+    <message>
         <source>a target before the arc</source>
         <translation>une cible avant lui</translation>
     </message>
@@ -12117,6 +12765,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>age: median %1 ms, 99th percentile %2 ms; %3</source>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
+    </message>
+    <message>
+        <source>all of the library</source>
+        <translation>toute la bibliothèque</translation>
     </message>
     <message>
         <source>all of them</source>
@@ -12827,6 +13479,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>axes</translation>
     </message>
     <message>
+        <source>axis = &quot;z&quot;, or direction = [x, y, z]</source>
+        <translation>axis = &quot;z&quot;, ou direction = [x, y, z]</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>derrière</translation>
     </message>
@@ -13203,6 +13859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
     </message>
     <message>
+        <source>either targets = &quot;poses.csv&quot; or frames = [...]</source>
+        <translation>soit targets = &quot;poses.csv&quot;, soit frames = [...]</translation>
+    </message>
+    <message>
         <source>either values, or from and to (with steps), or sigma (with middle)</source>
         <translation>soit values, soit from et to (avec steps), soit sigma (avec middle)</translation>
     </message>
@@ -13493,6 +14153,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>frame moved</source>
         <translation>image déplacée</translation>
+    </message>
+    <message>
+        <source>frame with frames, which have their own places</source>
+        <translation>frame avec frames, qui ont leurs propres places</translation>
     </message>
     <message>
         <source>frame: alone</source>
@@ -13879,6 +14543,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle ne repose sur rien de mobile</translation>
     </message>
     <message>
+        <source>it is not in this cell</source>
+        <translation>elle n'est pas dans cette cellule</translation>
+    </message>
+    <message>
+        <source>it is of another kind</source>
+        <translation>elle est d'un autre type</translation>
+    </message>
+    <message>
         <source>it joins part '%1' to itself</source>
         <translation>il relie la pièce '%1' à elle-même</translation>
     </message>
@@ -13905,6 +14577,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
+    </message>
+    <message>
+        <source>it would not be as in the variant</source>
+        <translation>elle ne serait pas comme dans la variante</translation>
     </message>
     <message>
         <source>its *.hexercise file in the same folder</source>
@@ -14065,6 +14741,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>known</source>
         <translation>connu</translation>
+    </message>
+    <message>
+        <source>large %1</source>
+        <translation>%1 grand</translation>
     </message>
     <message>
         <source>late %1 ms</source>
@@ -14623,6 +15303,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de taille</translation>
     </message>
     <message>
+        <source>no bound</source>
+        <translation>pas de borne</translation>
+    </message>
+    <message>
         <source>no cell</source>
         <translation>aucune cellule</translation>
     </message>
@@ -14649,6 +15333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
+    </message>
+    <message>
+        <source>no direction</source>
+        <translation>pas de direction</translation>
     </message>
     <message>
         <source>no entity</source>
@@ -14693,6 +15381,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no folder for temporary files can be created</source>
         <translation>aucun dossier temporaire ne peut être créé</translation>
+    </message>
+    <message>
+        <source>no frame is called '%1'</source>
+        <translation>aucun repère ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no frame is called '%1' in this variant</source>
+        <translation>aucun repère ne s'appelle '%1' dans cette variante</translation>
     </message>
     <message>
         <source>no frame is named '%1'</source>
@@ -14879,6 +15575,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun périphérique simulé ne s'appelle '%1'</translation>
     </message>
     <message>
+        <source>no single direction</source>
+        <translation>pas une seule direction</translation>
+    </message>
+    <message>
+        <source>no single list of targets</source>
+        <translation>pas une seule liste de cibles</translation>
+    </message>
+    <message>
         <source>no single range of values</source>
         <translation>pas d'intervalle de valeurs unique</translation>
     </message>
@@ -14889,6 +15593,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no table defines how the robot moves</source>
         <translation>aucune table qui décrit sa cinématique</translation>
+    </message>
+    <message>
+        <source>no table of its own in the document</source>
+        <translation>pas de table à elle dans le document</translation>
     </message>
     <message>
         <source>no tag, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
@@ -14969,6 +15677,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>none; e.g. %1</source>
         <translation>aucun ; p. ex. %1</translation>
+    </message>
+    <message>
+        <source>normal, sigma %1</source>
+        <translation>normale, sigma %1</translation>
     </message>
     <message>
         <source>not 22 numbers each for gain and offset</source>
@@ -15273,6 +15985,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one value, or %1</source>
         <translation>un seul, ou %1</translation>
+    </message>
+    <message>
+        <source>one, another, …</source>
+        <translation>une, une autre, …</translation>
     </message>
     <message>
         <source>only files in %1</source>
@@ -15823,6 +16539,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des tranches</translation>
     </message>
     <message>
+        <source>small %1</source>
+        <translation>%1 petit</translation>
+    </message>
+    <message>
         <source>smaller numbers</source>
         <translation>des nombres plus petits</translation>
     </message>
@@ -15883,6 +16603,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>début du fichier</translation>
     </message>
     <message>
+        <source>starting</source>
+        <translation>démarrage</translation>
+    </message>
+    <message>
         <source>statements that run endlessly</source>
         <translation>des instructions exécutées sans fin</translation>
     </message>
@@ -15937,6 +16661,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>symbolic links that refer to each other</source>
         <translation>des liens symboliques qui renvoient l'un à l'autre</translation>
+    </message>
+    <message>
+        <source>table '%1'</source>
+        <translation>table '%1'</translation>
+    </message>
+    <message>
+        <source>table of poses (.csv)</source>
+        <translation>tableau de poses (.csv)</translation>
     </message>
     <message>
         <source>tables [[%1]]</source>
@@ -16115,6 +16847,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun robot</translation>
     </message>
     <message>
+        <source>the cell of the study</source>
+        <translation>la cellule de l'étude</translation>
+    </message>
+    <message>
         <source>the channel '%1'</source>
         <translation>le canal '%1'</translation>
     </message>
@@ -16125,6 +16861,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the character '%1' in the expression</source>
         <translation>le caractère '%1' dans l'expression</translation>
+    </message>
+    <message>
+        <source>the cluster's</source>
+        <translation>celle de la grappe</translation>
+    </message>
+    <message>
+        <source>the cluster's, or 02:00:00</source>
+        <translation>celle de la grappe, ou 02:00:00</translation>
     </message>
     <message>
         <source>the column is missing</source>
@@ -17211,6 +17955,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le repère utilisateur %1</translation>
     </message>
     <message>
+        <source>the variant's shape, place, joints and tool</source>
+        <translation>la forme, la place, les axes et l'outil de la variante</translation>
+    </message>
+    <message>
         <source>the version number is missing</source>
         <translation>le numéro de version manque</translation>
     </message>
@@ -17311,6 +18059,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>trois nombres avec '.' comme séparateur décimal</translation>
     </message>
     <message>
+        <source>three numbers, not all 0</source>
+        <translation>trois nombres, pas tous 0</translation>
+    </message>
+    <message>
         <source>three points of a circle in order</source>
         <translation>trois points d'un cercle</translation>
     </message>
@@ -17369,6 +18121,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>too many brackets</source>
         <translation>trop de parenthèses</translation>
+    </message>
+    <message>
+        <source>too many results files of this name</source>
+        <translation>trop de fichiers de résultats de ce nom</translation>
     </message>
     <message>
         <source>tool</source>

@@ -5,6 +5,7 @@
 #include "geometry/system/listed.h"
 #include "manipulation/checks/hand_targets.h"
 #include "manipulation/checks/mannequin_sight.h"
+#include "mannequin/ergonomics/advice/body_sizes.h"
 #include "mannequin/ergonomics/scores/posture_scores.h"
 #include "mannequin/posture/posture_solver.h"
 #include "mannequin/shape/figure_model.h"
@@ -52,14 +53,21 @@ struct PostureSettings {
   std::vector<HandTargets> targets;  ///< Of the grips' centres, or of the wrists.
   std::vector<const Method*> methods;
   ergonomics::WorkTask task;
+  bool present = false;  ///< The targets are where the active hands are in the given cell; they move with `frame`.
   bool at_grip = true, orientation = true, may_step = false, balance = true;
 };
 
 /// How a body does a task: whether it reaches every step, and the worst score of each method.
 class PostureQuestion : public Question {
  public:
-  PostureQuestion(std::string name, PostureSettings settings)
-      : Question(std::move(name)), settings_(std::move(settings)) {}
+  /// How the mannequin stands in the given cell.
+  struct Shown {
+    std::shared_ptr<const mannequin::Figure> figure;
+    mannequin::Posture posture;
+    Pose X_WF;  ///< Of `frame` there.
+  };
+  PostureQuestion(std::string name, PostureSettings settings, Shown shown)
+      : Question(std::move(name)), settings_(std::move(settings)), shown_(std::move(shown)) {}
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns{{"steps", Column::Kind::kWhole, ""},
@@ -107,17 +115,32 @@ class PostureQuestion : public Question {
     const mannequin::Figure& figure = *body.figure();
     const mannequin::Posture start = mannequin::toPosture(figure, {body.X_WE, body.joints()});
     const Pose X_WF = settings_.frame.empty() ? Pose() : document.findByName(settings_.frame)->X_WE;
-    for (const HandTargets& step : settings_.targets) {
-      const auto found = mannequin::PostureSolver(figure).solve(taskOf(figure, X_WF, step), start);
-      const bool solved = found.status == mannequin::PostureStatus::kSolved;
-      for (const double error : found.hand_position_error) tally.short_m = std::max(tally.short_m, error);
-      const std::string entered = enteredByBody(scene, body, found.posture);
-      if (tally.touched.empty()) tally.touched = entered;
-      ++tally.steps;
-      tally.touching += entered.empty() ? 0 : 1;
-      tally.reached += solved && entered.empty() ? 1 : 0;
-      if (solved) score(body, found.posture, tally.worst);
-    }
+    if (settings_.present) return countPresent(scene, body, X_WF, tally);
+    for (const HandTargets& step : settings_.targets)
+      countStep(scene, body, taskOf(figure, X_WF, step), start, tally);
+  }
+
+  /// The work that the mannequin of the given cell does there, done by this body where `frame` stands now.
+  void countPresent(const manipulation::PreparedScene& scene, const Entity& body, const Pose& X_WF, Tally& tally) const {
+    const mannequin::Figure& figure = *body.figure();
+    mannequin::PostureTask task =
+        ergonomics::taskAt(*shown_.figure, shown_.posture, figure, X_WF.p - shown_.X_WF.p);
+    task.may_step = settings_.may_step;
+    task.balance = settings_.balance;
+    countStep(scene, body, task, ergonomics::standingAt(*shown_.figure, shown_.posture, figure), tally);
+  }
+
+  void countStep(const manipulation::PreparedScene& scene, const Entity& body, const mannequin::PostureTask& task,
+                 const mannequin::Posture& start, Tally& tally) const {
+    const auto found = mannequin::PostureSolver(*body.figure()).solve(task, start);
+    const bool solved = found.status == mannequin::PostureStatus::kSolved;
+    for (const double error : found.hand_position_error) tally.short_m = std::max(tally.short_m, error);
+    const std::string entered = enteredByBody(scene, body, found.posture);
+    if (tally.touched.empty()) tally.touched = entered;
+    ++tally.steps;
+    tally.touching += entered.empty() ? 0 : 1;
+    tally.reached += solved && entered.empty() ? 1 : 0;
+    if (solved) score(body, found.posture, tally.worst);
   }
 
   mannequin::PostureTask taskOf(const mannequin::Figure& figure, const Pose& X_WF, const HandTargets& step) const {
@@ -148,6 +171,7 @@ class PostureQuestion : public Question {
   }
 
   PostureSettings settings_;
+  Shown shown_;
 };
 
 /// How well a mannequin in its posture of the cell sees an entity.
@@ -221,6 +245,14 @@ Expected<std::vector<const Method*>> readMethods(SectionReader& reader) {
   return methods;
 }
 
+Expected<void> readTargets(const std::filesystem::path& file, PostureSettings& settings, StudyInputs& inputs) {
+  auto read = manipulation::readHandTargets(file);
+  HAPTICELL_TRY(read);
+  settings.targets = std::move(*read);
+  if (std::find(inputs.files.begin(), inputs.files.end(), file) == inputs.files.end()) inputs.files.push_back(file);
+  return {};
+}
+
 }  // namespace
 
 MadeQuestion makePosture(const StudySection& section, StudyInputs& inputs) {
@@ -231,7 +263,6 @@ MadeQuestion makePosture(const StudySection& section, StudyInputs& inputs) {
   settings.body = std::move(*body);
   std::string targets, task;
   int at = 0;
-  reader.fields().require("targets");
   reader.fields().read("targets", targets);
   reader.fields().read("frame", settings.frame);
   reader.fields().read("task", task);
@@ -256,12 +287,14 @@ MadeQuestion makePosture(const StudySection& section, StudyInputs& inputs) {
   auto work = taskNamed(section, inputs, task);
   HAPTICELL_TRY(work);
   settings.task = std::move(*work);
-  const std::filesystem::path file = section.fileNamed(targets);
-  auto read = manipulation::readHandTargets(file);
-  HAPTICELL_TRY(read);
-  settings.targets = std::move(*read);
-  if (std::find(inputs.files.begin(), inputs.files.end(), file) == inputs.files.end()) inputs.files.push_back(file);
-  return std::make_unique<PostureQuestion>(section.name, std::move(settings));
+  settings.present = targets.empty();
+  if (!settings.present) {
+    HAPTICELL_TRY(readTargets(section.fileNamed(targets), settings, inputs));
+  }
+  const Entity& shown = *inputs.cell.findByName(settings.body);
+  PostureQuestion::Shown given{shown.figure(), mannequin::toPosture(*shown.figure(), {shown.X_WE, shown.joints()}),
+                               settings.frame.empty() ? Pose() : inputs.cell.findByName(settings.frame)->X_WE};
+  return std::make_unique<PostureQuestion>(section.name, std::move(settings), std::move(given));
 }
 
 MadeQuestion makeSight(const StudySection& section, StudyInputs& inputs) {

@@ -25,6 +25,8 @@ class Study {
                                                      std::string version);
 
   const StudyDocument& document() const { return inputs_.document; }
+  /// The cell that it names, with what touches in it left out from checks.
+  const workcell::Document& cell() const { return inputs_.cell; }
   const VariantSpace& space() const { return space_; }
   const ResultHead& head() const { return head_; }
   /// What readers noticed, and pairs that are not checked because they touch in the given cell.

@@ -77,6 +77,7 @@ class Writer {
     const auto written = store_.add(rows_, units_);
     if (!written) fault_ = written.error();
     if (written) count_ += static_cast<std::int64_t>(rows_.size());
+    if (written && options_.rows) options_.rows(rows_);
     rows_.clear();
     units_.clear();
     written_ = Clock::now();

@@ -19,6 +19,8 @@ struct RunOptions {
   std::size_t chunk = 1, chunks = 1;  ///< 1 <= chunk <= chunks
   int jobs = 0;                       ///< Threads; 0: one a core.
   std::function<void(const RunProgress&)> progress = {};  ///< Called from any thread, one at a time; may be empty.
+  /// New rows once they are in the store, in the order of their numbers. Called from any thread, one at a time.
+  std::function<void(const std::vector<ResultRow>&)> rows = {};
   const std::atomic<bool>* cancelled = nullptr;           ///< Ends the run after the variants that are being evaluated.
 };
 

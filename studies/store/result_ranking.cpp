@@ -32,6 +32,63 @@ bool beats(const std::vector<double>& a, const std::vector<double>& b) {
   return better;
 }
 
+/// Feasible rows that no other one beats, as what the user keeps of them.
+template <typename Kept>
+class ParetoFront {
+ public:
+  static Expected<ParetoFront> create(const std::vector<Column>& answers, const std::vector<Objective>& objectives,
+                                      const std::string& file) {
+    ParetoFront made;
+    for (const Objective& one : objectives) {
+      const auto found = std::find_if(answers.begin(), answers.end(), [&](const auto& c) { return c.name == one.value; });
+      if (found == answers.end())
+        return makeError({.file = file,
+                          .found = Text("no result is called '%1'", one.value),
+                          .expected = "results of this study"});
+      made.columns_.push_back({static_cast<std::size_t>(found - answers.begin()), one.is_greatest});
+    }
+    if (made.columns_.empty())
+      return makeError(
+          {.file = file, .found = "a study without objectives", .expected = "at least one table [[objective]]"});
+    return made;
+  }
+
+  void add(const ResultRow& row, const Kept& kept) {
+    if (!row.feasible) return;
+    std::vector<double> costs;
+    for (const Wanted& one : columns_) {
+      const double cost = costOfAnswer(row.answers[one.column]);
+      const bool missing = cost == std::numeric_limits<double>::infinity();
+      costs.push_back(one.is_greatest && !missing ? -cost : cost);
+    }
+    const bool beaten = std::any_of(members_.begin(), members_.end(), [&](const Member& one) {
+      return beats(one.costs, costs) || one.costs == costs;
+    });
+    if (beaten) return;
+    std::erase_if(members_, [&](const Member& one) { return beats(costs, one.costs); });
+    members_.push_back({std::move(costs), kept});
+  }
+
+  std::vector<Kept> sorted() && {
+    std::stable_sort(members_.begin(), members_.end(), [](const auto& a, const auto& b) { return a.costs < b.costs; });
+    std::vector<Kept> all;
+    for (Member& member : members_) all.push_back(std::move(member.kept));
+    return all;
+  }
+
+ private:
+  struct Wanted {
+    std::size_t column = 0;
+    bool is_greatest = false;
+  };
+  struct Member {
+    std::vector<double> costs;
+    Kept kept;
+  };
+  std::vector<Wanted> columns_;
+  std::vector<Member> members_;
+};
+
 std::string csvText(const std::string& text) {
   if (text.find_first_of(",\"\n\r;") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -60,46 +117,29 @@ Expected<std::vector<ResultRow>> bestRows(const ResultStore& store, std::size_t 
   return best;
 }
 
+std::optional<std::size_t> bestIndex(const std::vector<ResultRow>& rows) {
+  const auto best = std::min_element(rows.begin(), rows.end(),
+                                     [](const ResultRow& a, const ResultRow& b) { return rankOf(a) < rankOf(b); });
+  if (best == rows.end()) return std::nullopt;
+  return static_cast<std::size_t>(best - rows.begin());
+}
+
 Expected<std::vector<ResultRow>> paretoRows(const ResultStore& store, const StudyDocument& document) {
-  struct Member {
-    std::vector<double> costs;
-    ResultRow row;
-  };
-  std::vector<std::size_t> columns;
-  for (const Objective& one : document.objectives) {
-    const auto& answers = store.head().answers;
-    const auto found = std::find_if(answers.begin(), answers.end(), [&](const auto& c) { return c.name == one.value; });
-    if (found == answers.end())
-      return makeError({.file = store.file().string(),
-                        .found = Text("no result is called '%1'", one.value),
-                        .expected = "results of this study"});
-    columns.push_back(static_cast<std::size_t>(found - answers.begin()));
-  }
-  if (columns.empty())
-    return makeError({.file = store.file().string(),
-                      .found = "a study without objectives",
-                      .expected = "at least one table [[objective]]"});
-  std::vector<Member> front;
+  auto front = ParetoFront<ResultRow>::create(store.head().answers, document.objectives, store.file().string());
+  HAPTICELL_TRY(front);
   HAPTICELL_TRY(store.forEachRow([&](const ResultRow& row) {
-    if (!row.feasible) return Expected<void>();
-    Member member{{}, row};
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double cost = costOfAnswer(row.answers[columns[i]]);
-      const bool missing = cost == std::numeric_limits<double>::infinity();
-      member.costs.push_back(document.objectives[i].is_greatest && !missing ? -cost : cost);
-    }
-    const bool beaten = std::any_of(front.begin(), front.end(), [&](const Member& one) {
-      return beats(one.costs, member.costs) || one.costs == member.costs;
-    });
-    if (beaten) return Expected<void>();
-    std::erase_if(front, [&](const Member& one) { return beats(member.costs, one.costs); });
-    front.push_back(std::move(member));
+    front->add(row, row);
     return Expected<void>();
   }));
-  std::stable_sort(front.begin(), front.end(), [](const auto& a, const auto& b) { return a.costs < b.costs; });
-  std::vector<ResultRow> rows;
-  for (Member& member : front) rows.push_back(std::move(member.row));
-  return rows;
+  return std::move(*front).sorted();
+}
+
+Expected<std::vector<std::size_t>> paretoIndices(const std::vector<ResultRow>& rows, const std::vector<Column>& columns,
+                                                 const std::vector<Objective>& objectives) {
+  auto front = ParetoFront<std::size_t>::create(columns, objectives, "");
+  HAPTICELL_TRY(front);
+  for (std::size_t i = 0; i < rows.size(); ++i) front->add(rows[i], i);
+  return std::move(*front).sorted();
 }
 
 Expected<std::string> csvOf(const ResultStore& store) {

@@ -14,6 +14,9 @@ namespace {
 using workcell::Entity;
 using workcell::EntityId;
 
+/// Of a direction as it is written. Half and twice: only what is refused as a slip.
+constexpr double kShortest = 1e-6;
+
 const std::vector<std::string> kAxisWords{"x", "y", "z"};
 
 dvec3 axisOf(int axis) {
@@ -57,7 +60,8 @@ Expected<std::vector<EntityId>> movedEntities(const StudySection& section, const
 /// What both kinds read.
 struct Placed {
   std::vector<EntityId> entities;
-  int axis = 2;
+  dvec3 along{0.0, 0.0, 1.0};  ///< Unit, in the cell.
+  bool is_axis = true;         ///< It is one of the cell's axes.
 };
 
 Expected<Placed> readPlaced(SectionReader& reader, const StudySection& section, const StudyInputs& inputs) {
@@ -66,8 +70,22 @@ Expected<Placed> readPlaced(SectionReader& reader, const StudySection& section, 
   Placed placed;
   reader.fields().read("entity", entity);
   reader.fields().readList("entities", names);
-  reader.fields().require("axis");
-  reader.fields().readWord("axis", kAxisWords, placed.axis);
+  int axis = 2;
+  std::vector<double> direction;
+  reader.fields().readWord("axis", kAxisWords, axis);
+  reader.fields().readList("direction", direction);
+  placed.along = axisOf(axis);
+  placed.is_axis = direction.empty();
+  if (reader.fields().has("axis") == reader.fields().has("direction"))
+    reader.fields().fail(nullptr, Text("no single direction"), Text("axis = \"z\", or direction = [x, y, z]"));
+  if (!direction.empty()) {
+    const dvec3 given = direction.size() == 3 ? dvec3(direction[0], direction[1], direction[2]) : dvec3(0.0);
+    if (glm::length(given) < kShortest) {
+      reader.fields().failKey("direction", Text("no direction"), Text("three numbers, not all 0"));
+    } else {
+      placed.along = glm::normalize(given);
+    }
+  }
   if (!entity.empty()) names.push_back(entity);
   if (names.empty())
     reader.fields().fail(nullptr, Text("nothing that is moved"), Text("entity = \"...\" or entities = [...]"));
@@ -86,11 +104,11 @@ class Position : public Variation {
   std::string unit() const override { return "m"; }
   Expected<void> apply(const Value& value, VariantCell& cell) const override {
     const double number = std::get<double>(value);
-    const double now = cell.document.find(placed_.entities.front())->X_WE.p[placed_.axis];
+    const double now = glm::dot(cell.document.find(placed_.entities.front())->X_WE.p, placed_.along);
     const double way = absolute_ ? number - now : number;
     for (const EntityId id : placed_.entities) {
       Pose X_WE = cell.document.find(id)->X_WE;
-      X_WE.p += way * axisOf(placed_.axis);
+      X_WE.p += way * placed_.along;
       HAPTICELL_TRY(place(cell.document, id, X_WE));
     }
     return {};
@@ -108,7 +126,7 @@ class Rotation : public Variation {
 
   std::string unit() const override { return "deg"; }
   Expected<void> apply(const Value& value, VariantCell& cell) const override {
-    const dquat turn = glm::angleAxis(std::get<double>(value) * std::numbers::pi / 180.0, axisOf(placed_.axis));
+    const dquat turn = glm::angleAxis(std::get<double>(value) * std::numbers::pi / 180.0, placed_.along);
     const dvec3 pivot = cell.document.find(placed_.entities.front())->X_WE.p;
     for (const EntityId id : placed_.entities) {
       Pose X_WE = cell.document.find(id)->X_WE;

@@ -22,7 +22,7 @@ MAY_START = {
     "app/virtual_desktop/devices/server_process.cpp": "the haptic server beside the program",
     "app/virtual_desktop/devices/device_listing.cpp": "hapticell-cli beside the program",
     "cli/device/device_list.cpp": "itself, to ask a driver apart",
-    "cli/study/program_call.cpp": "Slurm's commands, by config::systemProgram()",
+    "studies/cluster/program_call.cpp": "Slurm's commands, by config::systemProgram()",
     "cli/device/program_answer.cpp": "the window beside the program, for doctor",
 }
 STARTS = re.compile(r"\bQProcess\b|\bposix_spawn\s*\(|\bexecv[e]?\s*\(|(?<![\w.>:])fork\s*\(")

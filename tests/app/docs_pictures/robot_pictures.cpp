@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the docks of robots.
+#include <QTableView>
+
+#include "app/studies/study_panel.h"
 #include "tests/app/docs_pictures/picture_page.h"
 
 namespace hapticell::app {
@@ -30,11 +33,31 @@ void library(const PictureTask& task) {
   page.keepDock(task.size);
 }
 
+/// Places of a robot at the car door, coloured, with one of them shown in the scene.
+void study(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("studies/car-door.hcell"));
+  page.trigger("actionStudy");
+  auto* panel = page.find<StudyPanel>("studyPanel");
+  ASSERT_NE(panel, nullptr);
+  const auto folder = page.document().path().parent_path();
+  panel->openFile(QString::fromStdString((folder / "car-door-robot.hstudy").string()));
+  page.press("buttonRunStudy");
+  auto* rows = page.find<QTableView>("tableResults");
+  constexpr int kVariants = 49;
+  constexpr int kRun = 10 * PicturePage::kPatience;
+  ASSERT_TRUE(PicturePage::until([&] { return rows->model()->rowCount() == kVariants; }, kRun));
+  page.chooseSegment("segmentsResults", 1);
+  page.lookFrom(-40, 35, page.window().viewport().scene().bounds_W());
+  page.keep();
+}
+
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
   return {{"robot-configurations", {1300, 731}, "dockRobot", configurations, {1600, 900}},
-          {"robot-library", {345, 980}, "dockAddRobot", library}};
+          {"robot-library", {345, 980}, "dockAddRobot", library},
+          {"study", {1600, 1000}, "dockStudyResults", study}};
 }
 
 }  // namespace hapticell::app

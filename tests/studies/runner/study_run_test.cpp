@@ -94,6 +94,58 @@ TEST_F(StudyRun, RowsAreEqualForThreadsChunksAndInterruptions) {
   EXPECT_EQ(csvAfter(*grid, "stopped", {.jobs = 2}), one);
 }
 
+TEST_F(StudyRun, RowsAreHandedOutAsTheyAreKept) {
+  const auto grid = study(kGrid);
+  ASSERT_TRUE(grid);
+  std::vector<ResultRow> rows;
+  RunOptions options{.jobs = 2};
+  options.rows = [&](const std::vector<ResultRow>& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+  csvAfter(*grid, "handed", options);
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  std::vector<ResultRow> kept;
+  const auto store = ResultStore::open(folder_ / "handed", false);
+  ASSERT_TRUE(store->forEachRow([&](const ResultRow& row) {
+    kept.push_back(row);
+    return Expected<void>();
+  }));
+  EXPECT_EQ(rows, kept);
+  // The front and the best of memory are those of the store.
+  const auto document = StudyDocument::parse(store->head().study, store->head().file);
+  const auto front = paretoRows(*store, *document);
+  const auto indices = paretoIndices(kept, store->head().answers, document->objectives);
+  ASSERT_TRUE(front && indices);
+  ASSERT_EQ(front->size(), indices->size());
+  for (std::size_t i = 0; i < indices->size(); ++i) EXPECT_EQ(kept[(*indices)[i]], (*front)[i]);
+  EXPECT_EQ(kept[*bestIndex(kept)], bestRows(*store, 1)->front());
+  EXPECT_FALSE(paretoIndices(kept, store->head().answers, {}));
+}
+
+TEST_F(StudyRun, TargetsMayBeFramesOfTheCell) {
+  Diagnostics notes;
+  auto cell = workcell::loadDocument(folder_ / "cell.hcell", notes);
+  ASSERT_TRUE(cell);
+  const Pose X_WT = Pose({0.4, 0.3, 0.8}, dquat(0.0, 1.0, 0.0, 0.0));
+  ASSERT_TRUE(cell->execute(workcell::AddEntity{workcell::makeFrame("weld", X_WT)}));
+  const workcell::Entity& block = *cell->findByName("block");
+  ASSERT_TRUE(cell->execute(workcell::SetFrames{
+      block.id, {{"grip", block.X_WE.inverse() * Pose({0.5, 0.0, 0.75}, dquat(0.0, 1.0, 0.0, 0.0))}}}));
+  ASSERT_TRUE(workcell::saveDocument(*cell, folder_ / "cell.hcell"));
+  std::ofstream(folder_ / "two.csv") << "x,y,z,qw,qx,qy,qz\n0.4,0.3,0.8,0,1,0,0\n0.5,0,0.75,0,1,0,0\n";
+  const std::string vary = "[[vary]]\nwhat = \"position\"\nname = \"x\"\nentity = \"robot\"\naxis = \"x\"\n"
+                           "from = -0.3\nto = 0.2\nsteps = 6\n[[ask]]\nwhat = \"reach\"\nentity = \"robot\"\n";
+  const auto by_frames = study(vary + "frames = [\"weld\", \"block/grip\"]\n");
+  ASSERT_TRUE(by_frames);
+  const std::string rows = csvAfter(*by_frames, "frames", {.jobs = 1});
+  const auto by_file = study(vary + "targets = \"two.csv\"\n");
+  ASSERT_TRUE(by_file);
+  EXPECT_EQ(csvAfter(*by_file, "file", {.jobs = 1}), rows);
+  for (const char* wrong : {"frames = [\"no such\"]\n", "frames = [\"weld\"]\ntargets = \"two.csv\"\n", "",
+                            "frames = [\"weld\"]\nframe = \"block\"\n"}) {
+    std::ofstream(folder_ / "s.hstudy") << "cell = \"cell.hcell\"\n" << vary << wrong;
+    EXPECT_FALSE(Study::load(folder_ / "s.hstudy", "test")) << wrong;
+  }
+}
+
 TEST_F(StudyRun, AVariantIsTheCellThatItWasMeasuredIn) {
   const auto grid = study(kGrid);
   ASSERT_TRUE(grid);

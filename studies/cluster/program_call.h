@@ -6,7 +6,7 @@
 
 #include "geometry/system/error.h"
 
-namespace hapticell::cli {
+namespace hapticell::studies {
 
 /// What a program of the system said and how it ended.
 struct ProgramAnswer {
@@ -18,4 +18,4 @@ struct ProgramAnswer {
 /// waits for its end. Never through a shell. Error: there is no such program, or it cannot be started.
 Expected<ProgramAnswer> callProgram(const std::string& name, const std::vector<std::string>& arguments);
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::studies

@@ -8,7 +8,7 @@
 
 #include "geometry/system/error.h"
 
-namespace hapticell::cli {
+namespace hapticell::studies {
 
 /// A study as an array job of Slurm: one task a chunk.
 struct SlurmJob {
@@ -41,4 +41,4 @@ Expected<bool> isInQueue(const std::string& job_number);
 /// Chunks without a complete results file.
 std::vector<std::size_t> missingChunks(const SlurmJob& job);
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::studies

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/study/slurm_job.h"
+#include "studies/cluster/slurm_job.h"
 
 #include <algorithm>
 
-#include "cli/study/program_call.h"
+#include "studies/cluster/program_call.h"
 #include "studies/store/result_store.h"
 #include "studies/variants/variant_space.h"
 
-namespace hapticell::cli {
+namespace hapticell::studies {
 
 namespace fs = std::filesystem;
 
@@ -27,11 +27,11 @@ std::string withoutBlanks(const std::string& text) {
 }
 
 bool isComplete(const SlurmJob& job, std::size_t chunk) {
-  const auto store = studies::ResultStore::open(job.resultsOf(chunk), false);
+  const auto store = ResultStore::open(job.resultsOf(chunk), false);
   if (!store) return false;
   const auto units = store->completeUnits();
   if (!units) return false;
-  const auto wanted = studies::unitsOfChunk(static_cast<std::size_t>(store->head().units), chunk, job.chunks);
+  const auto wanted = unitsOfChunk(static_cast<std::size_t>(store->head().units), chunk, job.chunks);
   for (std::size_t unit = wanted.begin; unit < wanted.end; ++unit)
     if (units->count(static_cast<std::int64_t>(unit)) == 0) return false;
   return true;
@@ -107,4 +107,4 @@ std::vector<std::size_t> missingChunks(const SlurmJob& job) {
   return missing;
 }
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::studies

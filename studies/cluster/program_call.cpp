@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/study/program_call.h"
+#include "studies/cluster/program_call.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace hapticell::cli {
+namespace hapticell::studies {
 
 namespace {
 
@@ -64,4 +64,4 @@ Expected<ProgramAnswer> callProgram(const std::string& name, const std::vector<s
   return answer;
 }
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::studies
