@@ -82,6 +82,7 @@ int runCommandLine(int argc, char** argv) {
   addMannequinCommand(words, chosen);
   addPairCommand(words, chosen);
   addWorkcellCommand(words, chosen);
+  addRecordCommand(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);
 
