@@ -14,6 +14,7 @@
 #include "cli/files/file_commands.h"
 #include "cli/mannequin/mannequin_command.h"
 #include "cli/robot/robot_commands.h"
+#include "cli/ros2/ros2_command.h"
 #include "cli/session/session_commands.h"
 #include "cli/study/study_commands.h"
 #include "cli/trajectory/trajectory_command.h"
@@ -83,6 +84,7 @@ int runCommandLine(int argc, char** argv) {
   addPairCommand(words, chosen);
   addWorkcellCommand(words, chosen);
   addRecordCommand(words, chosen);
+  addRos2Command(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);
 

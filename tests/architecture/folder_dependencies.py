@@ -39,6 +39,7 @@ ALLOWED = {
     "manipulation": ENGINES | {"workcell", "haptic"},
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
     "studies": ENGINES | {"workcell", "manipulation"},
+    "bridge": {"*"},
     "cli": {"*"},
     "app": {"*"},
 }
@@ -55,6 +56,7 @@ FOREIGN = {
     r"^sqlite3": {"studies"},
     r"^nlopt": {"studies"},
     r"^(zstd|lz4)": {"exchange"},
+    r"^(dds/|ros2_messages)": {"bridge"},
     r"^(oneapi/)?tbb/": {"collision", "manipulation", "studies"},
     r"^asio": {"haptic/transport", "haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/transport"},

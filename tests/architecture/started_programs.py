@@ -9,7 +9,7 @@ import re
 import sys
 
 FOLDERS = ("geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "importer",
-           "manipulation", "feel", "studies", "exchange", "cli", "app")
+           "manipulation", "feel", "studies", "exchange", "bridge", "cli", "app")
 # What starts a program through a shell, or looks for it in PATH as PATH happens to be.
 FORBIDDEN = re.compile(r"(?<![\w.>:])(?<!DualSystem )(?:std::|::)?(?:system|popen|execlp|execvp|execvpe|posix_spawnp|wordexp)\s*\("
                        r"|\bQDesktopServices\b|\bstartCommand\s*\(|\bQProcess::execute\b|\bfindExecutable\b"
@@ -22,6 +22,7 @@ MAY_START = {
     "app/virtual_desktop/devices/server_process.cpp": "the haptic server beside the program",
     "app/virtual_desktop/devices/device_listing.cpp": "hapticell-cli beside the program",
     "cli/device/device_list.cpp": "itself, to ask a driver apart",
+    "cli/ros2/bridge_call.cpp": "hapticell-ros2 beside the program",
     "cli/study/program_call.cpp": "Slurm's commands, by config::systemProgram()",
     "cli/device/program_answer.cpp": "the window beside the program, for doctor",
 }

@@ -4,6 +4,7 @@
 #include "exchange/mcap/byte_order.h"
 #include "exchange/mcap/mcap_compression.h"
 #include "exchange/mcap/mcap_reader.h"
+#include "exchange/mcap/mcap_records.h"
 #include "exchange/mcap/mcap_writer.h"
 
 namespace hapticell::exchange {
