@@ -130,6 +130,7 @@ class CellPublisher {
         {&clock_, {"/clock", &rosgraph_msgs_msg_dds__Clock__desc}}};
     for (const auto& [topic, what] : topics) {
       if (topic == &clock_ && !simulated_clock_) continue;
+      if ((topic == &moved_ || topic == &wrench_) && !replay_) continue;
       const bool is_latched = topic == &description_ || topic == &static_frames_ || topic == &scene_;
       RosQuality quality = is_latched ? RosQuality::kLatched : RosQuality::kDefault;
       if (topic == &moving_frames_) quality = RosQuality::kTransforms;

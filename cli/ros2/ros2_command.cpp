@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "cli/kit/result_writer.h"
@@ -19,7 +18,7 @@ using nlohmann::ordered_json;
 
 /// What both directions share.
 struct RosWords {
-  std::optional<int> domain;
+  int domain = -1;  ///< Below 0: not given.
   bool this_machine = false;
   double seconds = 10.0;
 };
@@ -40,7 +39,8 @@ struct ListenWords {
 /// --domain, else ROS_DOMAIN_ID, else 0.
 Expected<int> domainOf(const RosWords& words) {
   const char* const named = std::getenv("ROS_DOMAIN_ID");
-  if (words.domain || !named || *named == '\0') return words.domain.value_or(0);
+  if (words.domain >= 0) return words.domain;
+  if (!named || *named == '\0') return 0;
   char* end = nullptr;
   const long domain = std::strtol(named, &end, 10);
   if (*end != '\0' || domain < 0 || domain > 232)

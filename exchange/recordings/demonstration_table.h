@@ -21,7 +21,7 @@ struct DemonstrationOptions {
 /// place of Parquet files, which no library of Debian 12 writes. A vector feature has a column for each number, named
 /// "observation.state.NAME"; docs/user/recordings-mcap.md has the lines of Python that make Parquet files of them.
 ///
-/// `observation.state` are the joints (the pose where there are none), `action` those of the next frame,
+/// `observation.state` are the joints (the pose for a motion without joints), `action` those of the next frame,
 /// `observation.force` and `observation.contact` what was recorded. Numbers between frames are as Trajectory::poseAt()
 /// and jointsAt(); forces as at the frame before. Paths are relative to the folder of the data set. Errors: a rate out
 /// of range, no motion or one without frames, motions of different joints.

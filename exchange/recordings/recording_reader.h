@@ -17,14 +17,14 @@ namespace hapticell::exchange {
 /// first message on. `topic` chooses one topic; without it, "/joint_states" or the only one of its kind is taken. `notes`
 /// says what was left out: topics, messages of other joints, times that do not rise.
 ///
-/// Errors name the file: as readMcap(), a message that cannot be decoded, numbers that are not finite, a quaternion
-/// that is none, no such topic, several topics and no choice (the error lists them), nothing that can be read.
+/// Errors name the file: as readMcap(), a message that cannot be decoded, numbers that are not finite, a quaternion of
+/// another length than 1, no such topic, several topics and no choice (the error lists them), nothing that can be read.
 Expected<Recording> readMcapRecording(const std::filesystem::path& file, const std::string& topic = {});
 
 /// The same from bytes; errors use `name` as the file.
 Expected<Recording> parseMcapRecording(std::string_view bytes, const std::string& name, const std::string& topic = {});
 
-/// The first motion of such a file; where there is none, that of the stylus.
+/// The first motion of such a file; if it has no motion of an entity, that of the stylus.
 Expected<trajectory::Trajectory> readMcapMotion(const std::filesystem::path& file, const std::string& topic = {},
                                                 std::vector<Text>* notes = nullptr);
 

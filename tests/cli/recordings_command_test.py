@@ -177,7 +177,7 @@ def a_server_is_recorded(folder):
         hand = subprocess.Popen([CLI, "session", "--workcell", CELLS / "demo.hcell", "--entity", "robot", "--hand", CELLS / "demo-hand.csv",
                                  "--realtime", "--server", f"127.0.0.1:{port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(1.0)
-        answer = run("record", "--server", f"127.0.0.1:{port}", "--seconds", 2, "--mcap", folder / "live.mcap")
+        answer = run("record", "--server", f"127.0.0.1:{port}", "--seconds", 8, "--mcap", folder / "live.mcap")
         hand.wait(120)
         assert answer["complete"] and answer["samples"] > 100 and answer["ticks"] >= answer["samples"], answer
         info = run("trajectory", "info", folder / "live.mcap")
