@@ -15,6 +15,7 @@
 #include "cli/mannequin/mannequin_command.h"
 #include "cli/plan/plan_command.h"
 #include "cli/robot/robot_commands.h"
+#include "cli/ros2/ros2_command.h"
 #include "cli/session/session_commands.h"
 #include "cli/study/study_commands.h"
 #include "cli/trajectory/trajectory_command.h"
@@ -84,6 +85,8 @@ int runCommandLine(int argc, char** argv) {
   addPairCommand(words, chosen);
   addPlanCommand(words, chosen);
   addWorkcellCommand(words, chosen);
+  addRecordCommand(words, chosen);
+  addRos2Command(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);
 

@@ -9,10 +9,13 @@
 #include "cli/files/import_arguments.h"
 #include "cli/kit/kept_result.h"
 #include "cli/kit/progress_line.h"
+#include "exchange/recordings/recording_reader.h"
+#include "exchange/recordings/recording_writer.h"
 #include "geometry/shapes/surface_distance.h"
 #include "geometry/system/promise.h"
 #include "geometry/system/scratch_folder.h"
 #include "geometry/system/text_case.h"
+#include "trajectory/files/trajectory_io.h"
 #include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -51,6 +54,30 @@ Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Di
   const auto written = workcell::exportState(state, options.output, {}, notes);
   HAPTICELL_TRY(written);
   return nlohmann::ordered_json{{"output", options.output}, {"warnings", notes.warnings}};
+}
+
+/// A motion from or to MCAP.
+Expected<nlohmann::ordered_json> convertMotion(const ConvertOptions& options, Diagnostics& notes) {
+  auto motion = exchange::isMcapFile(options.file)
+                    ? exchange::readMcapMotion(options.file, {}, &notes.warnings)
+                    : trajectory::readTrajectory(options.file, &notes.warnings);
+  HAPTICELL_TRY(motion);
+  const std::string extension = lowerExtension(options.output);
+  nlohmann::ordered_json result{{"output", options.output}, {"frames", motion->size()}};
+  if (extension == ".mcap") {
+    exchange::Recording recording;
+    recording.motions.push_back(std::move(*motion));
+    HAPTICELL_TRY(exchange::writeMcapRecording(recording, options.output));
+  } else if (extension == ".htraj" || extension == ".csv") {
+    HAPTICELL_TRY(
+        writeFileAtomically(options.output, extension == ".csv" ? toCsvText(*motion) : toJsonText(*motion)));
+  } else {
+    return makeError({.file = options.output,
+                      .found = Text("the extension '%1'", extension),
+                      .expected = ".htraj, .csv or .mcap for a motion"});
+  }
+  result["warnings"] = notes.warnings;
+  return result;
 }
 
 /// Replaces meshes by ones with fewer triangles or by their hulls. Gives the largest deviation, metres.
@@ -188,6 +215,7 @@ Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::Imp
 
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
   if (lowerExtension(options.output) == ".urdf") return convertToUrdf(options, notes);
+  if (exchange::isMcapFile(options.file) || exchange::isMcapFile(options.output)) return convertMotion(options, notes);
   const auto reading = importOptions(options);
   HAPTICELL_TRY(reading);
   workcell::ExportOptions writing;
@@ -242,8 +270,8 @@ ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer)
 void addConvertCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("convert", "Convert between formats, by file extension");
   const auto options = std::make_shared<ConvertOptions>();
-  command.option("file", options->file, "Mesh, CAD, robot or workcell file").takes(ValueKind::kModel).required();
-  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
+  command.option("file", options->file, "Mesh, CAD, robot or workcell file; or a motion, from or to MCAP").takes(ValueKind::kModel).required();
+  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot; MCAP for a motion")
       .takes(ValueKind::kModel)
       .required();
   command.option("--unit", options->unit, "Unit of the input file: m, mm or in (default: from the file, else guessed)");

@@ -16,6 +16,7 @@ enum class ValueKind {
   kModel,
   kMesh,
   kMotion,
+  kMcap,
   kExercise,
   kResults,
   kStudy,

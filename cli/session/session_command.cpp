@@ -11,7 +11,9 @@
 
 #include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
+#include "cli/session/session_recording.h"
 #include "cli/session/session_settings.h"
+#include "exchange/recordings/recording_writer.h"
 #include "geometry/system/plain_number.h"
 #include "manipulation/session/local_server.h"
 #include "manipulation/session/session.h"
@@ -36,7 +38,7 @@ struct SessionWords {
   std::vector<std::string> set;
   bool realtime = false, fail_on_contact = false, fail_on_limit = false;
   std::string server;
-  std::string trace;
+  std::string trace, mcap;
   std::string configuration;
   std::string record;
   bool record_by_button = false, record_all = false;
@@ -74,18 +76,19 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
 
 /// By time (10 ms where nothing is said) or by distance.
 Expected<void> readRecording(const SessionWords& words, SessionOptions& options) {
-  if (words.record.empty()) {
+  if (words.record.empty() && words.mcap.empty()) {
     if (!words.record_interval && !words.record_distance) return {};
     return makeError({.place = "--record-interval, --record-distance",
                       .found = "--record is missing",
-                      .expected = "--record together with this option"});
+                      .expected = "--record or --mcap together with this option"});
   }
   if (words.record_interval && words.record_distance) {
     return makeError(
         {.place = "--record-interval, --record-distance", .found = "both are given", .expected = "one of the two"});
   }
   trajectory::RecordingOptions recording;
-  if (words.record_all) recording.mode = trajectory::RecordingMode::kEveryStep;
+  const bool every_step = words.record.empty() && !words.record_interval;  // --mcap alone.
+  if (words.record_all || every_step) recording.mode = trajectory::RecordingMode::kEveryStep;
   if (words.record_by_button) recording.mode = trajectory::RecordingMode::kByHand;
   options.mark_by_button = words.record_by_button;
   recording.interval_s = words.record_interval.value_or(recording.interval_s);
@@ -105,8 +108,9 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
 }
 
 Expected<void> saveRecording(const SessionWords& words, const SessionReport& session) {
-  if (words.record.empty()) return {};
+  if (words.record.empty() && words.mcap.empty()) return {};
   if (session.recording.empty()) warn("No entity was held and moved, so the recording has no frames.");
+  if (words.record.empty()) return {};
   const bool is_csv = words.record.ends_with(".csv");
   // What moved beside it, on the same clock, stands beside its file.
   const std::filesystem::path place(words.record);
@@ -302,7 +306,13 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   if (!options) return failed(options.error());
   std::string rows = kTraceHeader;
   manipulation::TraceSink trace;
-  if (!words.trace.empty()) trace = [&](const manipulation::TraceRow& row) { appendRow(rows, row); };
+  exchange::Recording recording;
+  if (!words.trace.empty() || !words.mcap.empty()) {
+    trace = [&](const manipulation::TraceRow& row) {
+      if (!words.trace.empty()) appendRow(rows, row);
+      if (!words.mcap.empty()) recording.stylus.push_back(stylusSampleOf(row));
+    };
+  }
   const auto session = runAsAsked(words, *options, trace);
   if (!session) return failed(session.error());
   for (const auto& sentence : session->notices) warn(sentence);
@@ -310,7 +320,13 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
     if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
   }
   if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
-  if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
+  const ordered_json result = resultOf(*session, *options);
+  if (!words.mcap.empty()) {
+    addSession(recording, *session, *options, result);
+    if (const auto written = exchange::writeMcapRecording(recording, words.mcap); !written)
+      return failed(written.error());
+  }
+  if (const auto written = writer.write(result); !written) return failed(written.error());
   const bool found =
       (words.fail_on_contact && !session->contacts.empty()) || (words.fail_on_limit && !session->limits.empty());
   return found ? ExitStatus::kCheckFound : ExitStatus::kDone;
@@ -337,6 +353,8 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones")
       .takes(ValueKind::kToml);
   command.option("--trace,-o,--output", words->trace, "CSV to write, one row per tick").takes(ValueKind::kTable);
+  command.option("--mcap", words->mcap, "Everything as MCAP to write: stylus, forces, motion, joints, contacts")
+      .takes(ValueKind::kMcap);
   command.option("--record", words->record, "Trajectory of the held entity to write: .htraj or .csv")
       .takes(ValueKind::kMotion);
   command.option("--record-interval", words->record_interval, "Time between its frames, s (0.01)");

@@ -7,6 +7,7 @@
 namespace hapticell::cli {
 
 void addFeelCommand(Subcommand app, Action& chosen);
+void addRecordCommand(Subcommand app, Action& chosen);
 void addSessionCommand(Subcommand app, Action& chosen);
 
 }  // namespace hapticell::cli

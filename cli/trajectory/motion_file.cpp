@@ -5,6 +5,7 @@
 
 #include "cli/kit/result_writer.h"
 #include "cli/kit/robot_options.h"
+#include "exchange/recordings/recording_reader.h"
 #include "trajectory/files/trajectory_io.h"
 
 namespace hapticell::cli {
@@ -45,6 +46,8 @@ Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const s
     HAPTICELL_TRY(program);
     into.insert(into.end(), program->notes.begin(), program->notes.end());
     motion = std::move(program->trajectory);
+  } else if (exchange::isMcapFile(file)) {
+    motion = exchange::readMcapMotion(file, {}, &into);
   } else {
     motion = trajectory::readTrajectory(file, &into);
   }

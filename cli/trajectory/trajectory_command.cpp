@@ -54,7 +54,7 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   const auto add = [&](const char* name, const char* description, Handler handler) {
     Subcommand sub = command.add(name, description);
     sub.option("file", options->file,
-               "Trajectory: .htraj, .csv, .json, .yaml (ROS), or program: .src, .mod, .ls, .script, .jbi")
+               "Trajectory: .htraj, .csv, .json, .yaml (ROS), .mcap, or program: .src, .mod, .ls, .script, .jbi")
         .takes(ValueKind::kMotion)
         .required();
     sub.onChosen([options, &chosen, handler] {

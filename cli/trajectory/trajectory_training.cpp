@@ -29,7 +29,7 @@ struct TrainingOptions {
   std::size_t samples = 2000;
 };
 
-ordered_json toJson(const trajectory::TrainingScore& score) {
+ordered_json scoreJson(const trajectory::TrainingScore& score) {
   return {{"points", score.points},
           {"completed", score.completed},
           {"time", score.time},
@@ -91,7 +91,7 @@ Expected<ordered_json> score(const TrainingOptions& options) {
   HAPTICELL_TRY(run);
   if (expert->empty())
     return makeError({.file = options.file, .place = "frames", .found = "none", .expected = "the motion of an expert"});
-  return toJson(trajectory::scoreRun(*expert, *run));
+  return scoreJson(trajectory::scoreRun(*expert, *run));
 }
 
 Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options, const manipulation::Exercise& exercise,
@@ -177,7 +177,7 @@ Expected<ordered_json> train(const TrainingOptions& options) {
                       {"kind", wordOf(*kind)},
                       {"help", help},
                       {"success", attempt.success},
-                      {"score", toJson(attempt.score)},
+                      {"score", scoreJson(attempt.score)},
                       {"next_help", book.nextHelp()},
                       {"penetration", report->forces.penetration_max_m},
                       {"force_max", report->forces.force_max_n}};

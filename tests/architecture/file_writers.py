@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+from source_folders import SOURCES
+
 # What writes into a file by its name, or gives a file its name.
 WRITERS = re.compile(
     r"\bo?fstream\b(?<!ifstream)|\bofstream\b|\bfopen\b|\bfreopen\b|\btmpfile\b|\bmkd?o?stemps?\b|\bmkostemps?\b|\bmkdtemp\b|\bcreat\s*\("
@@ -42,8 +44,6 @@ ALLOWED = {
 # Ports of devices and cables to them are opened for reading and writing.
 DEVICES = "haptic/devices/"
 DEVICE_WORDS = {"o_rdwr", "o_wronly"}
-FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
-           "mannequin", "planning", "studies", "trajectory", "workcell", "xacro")
 
 
 def without_comments(text):
@@ -88,7 +88,7 @@ def main():
         return 0
     root = pathlib.Path(sys.argv[1])
     bad, read = [], 0
-    for folder in FOLDERS:
+    for folder in SOURCES:
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in (".h", ".cpp"):
                 read += 1

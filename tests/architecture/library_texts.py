@@ -10,8 +10,8 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
-FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
-           "mannequin", "planning", "studies", "trajectory", "workcell", "xacro")
+from source_folders import SOURCES
+
 LANGUAGE = re.compile(r"\bk(French|English)\s*\?")
 TEXTS = re.compile(r'#include "(geometry/system/text|app/style/library_text)\.h"')
 PATTERN = re.compile(r"\bQRegularExpression\b|\bstd::regex\b")
@@ -52,7 +52,7 @@ if sys.argv[1] == "--self-test":
     self_test()
     sys.exit(0)
 project, looked_at, wrong = pathlib.Path(sys.argv[1]), 0, []
-for folder in FOLDERS:
+for folder in SOURCES:
     for path in sorted((project / folder).rglob("*")):
         if path.suffix in (".h", ".cpp"):
             looked_at += 1

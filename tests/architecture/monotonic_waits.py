@@ -8,8 +8,9 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer", "kinematics",
-           "manipulation", "mannequin", "planning", "studies", "tests", "trajectory", "workcell", "xacro")
+from source_folders import SOURCES
+
+FOLDERS = (*SOURCES, "bench", "examples", "tests")
 # What waits by CLOCK_REALTIME, or is asked to, and what to take instead.
 FORBIDDEN = {
     r"\bCLOCK_REALTIME(_COARSE|_ALARM)?\b": "CLOCK_MONOTONIC",

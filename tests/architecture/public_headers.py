@@ -10,9 +10,9 @@ import pathlib
 import re
 import sys
 
-ENGINE = ["geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell",
-          "manipulation", "feel", "planning", "studies"]
-USERS = ["cli", "app", "examples", "tests/cli", "tests/app", "tests/consumer"]
+from source_folders import LIBRARIES
+
+USERS = ["bridge", "cli", "app", "examples", "tests/cli", "tests/app", "tests/consumer"]
 LIBRARY = re.compile(r"hapticell_add_library\((.*?)\)\n", re.DOTALL)
 HEADERS = re.compile(r"\bHEADERS\s+((?:[\w/]+\.h\s*)+)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
@@ -45,7 +45,7 @@ def main():
         return 0
     root = pathlib.Path(sys.argv[-1])
     public, all_headers, internal, bad, read = set(), set(), set(), [], 0
-    for top in ENGINE:
+    for top in LIBRARIES:
         all_headers |= {path.relative_to(root).as_posix() for path in (root / top).rglob("*.h")}
         for lists in (root / top).rglob("CMakeLists.txt"):
             folder = lists.parent.relative_to(root).as_posix()

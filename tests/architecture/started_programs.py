@@ -8,8 +8,8 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "importer",
-           "manipulation", "feel", "planning", "studies", "cli", "app")
+from source_folders import SOURCES
+
 # What starts a program through a shell, or looks for it in PATH as PATH happens to be.
 FORBIDDEN = re.compile(r"(?<![\w.>:])(?<!DualSystem )(?:std::|::)?(?:system|popen|execlp|execvp|execvpe|posix_spawnp|wordexp)\s*\("
                        r"|\bQDesktopServices\b|\bstartCommand\s*\(|\bQProcess::execute\b|\bfindExecutable\b"
@@ -23,6 +23,7 @@ MAY_START = {
     "app/virtual_desktop/devices/device_listing.cpp": "hapticell-cli beside the program",
     "cli/device/device_list.cpp": "itself, to ask a driver apart",
     "studies/cluster/program_call.cpp": "Slurm's commands, by config::systemProgram()",
+    "cli/ros2/bridge_call.cpp": "hapticell-ros2 beside the program",
     "cli/device/program_answer.cpp": "the window beside the program, for doctor",
 }
 STARTS = re.compile(r"\bQProcess\b|\bposix_spawn\s*\(|\bexecv[e]?\s*\(|(?<![\w.>:])fork\s*\(")
@@ -53,7 +54,7 @@ if sys.argv[1] == "--self-test":
     self_test()
     sys.exit(0)
 root = pathlib.Path(sys.argv[1])
-found = [offence for folder in FOLDERS for file in sorted((root / folder).rglob("*")) if file.suffix in (".cpp", ".h")
+found = [offence for folder in SOURCES for file in sorted((root / folder).rglob("*")) if file.suffix in (".cpp", ".h")
          for offence in offences(file.relative_to(root).as_posix(), file.read_text(errors="replace"))]
 print("\n".join(found))
 gone = [name for name in MAY_START if not (root / name).is_file()]

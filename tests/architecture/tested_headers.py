@@ -10,8 +10,9 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ["geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "manipulation",
-             "feel", "planning", "studies", "importer", "cli"]
+from source_folders import SOURCES
+
+TESTED = tuple(folder for folder in SOURCES if folder != "app")
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"')
@@ -114,7 +115,7 @@ def main():
         return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8", errors="replace")
                 for path in sorted((root / top).rglob("*")) if path.suffix in endings}
 
-    headers = {path: text for top in LIBRARIES for path, text in texts(top, {".h"}).items()}
+    headers = {path: text for top in TESTED for path, text in texts(top, {".h"}).items()}
     found = untested(headers, texts("tests", {".cpp", ".h", ".py"}))
     print("\n".join(f"{path}: no test below tests/{pathlib.PurePosixPath(path).parent} uses it" for path in found)
           or f"{len(headers)} headers are used by tests of their folders")

@@ -243,39 +243,43 @@ std::optional<double> TrainingSession::restBefore(const std::string& date) const
 Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   const auto content = geometry::readRegularFile(file);
   HAPTICELL_TRY(content);
-  auto flat = geometry::checkNesting(*content, geometry::NestedText::kJson, file.string());
+  return parseTraining(*content, file.string());
+}
+
+Expected<TrainingSession> parseTraining(std::string_view text, const std::string& name) {
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, name);
   HAPTICELL_TRY(flat);
-  const json document = json::parse(*content, nullptr, false);
+  const json document = json::parse(text, nullptr, false);
   const auto version = document.is_object() ? document.value("version", json()) : json();
   if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
-    return makeError({.file = file.string(),
+    return makeError({.file = name,
                       .place = Text("field '%1'", "format"),
                       .found = "not a training session",
                       .expected = Text("\"%1\"", kTrainingFormat)});
   }
   if (version.get<std::int64_t>() > kTrainingVersion || version.get<std::int64_t>() < 1) {
-    return makeError({.file = file.string(),
+    return makeError({.file = name,
                       .place = Text("field '%1'", "version"),
                       .found = version.dump(),
                       .expected = Text("at most %1", kTrainingVersion)});
   }
   TrainingSession session;
-  for (const auto& [field, text] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
+  for (const auto& [field, into] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
     if (!document.contains(field) || !document[field].is_string()) {
       return makeError(
-          {.file = file.string(), .place = Text("field '%1'", field), .found = "none", .expected = "a text"});
+          {.file = name, .place = Text("field '%1'", field), .found = "none", .expected = "a text"});
     }
-    *text = document[field].get<std::string>();
+    *into = document[field].get<std::string>();
   }
   const json attempts = document.value("attempts", json::array());
   if (!attempts.is_array())
     return makeError(
-        {.file = file.string(), .place = Text("field '%1'", "attempts"), .found = "not a list", .expected = "a list"});
+        {.file = name, .place = Text("field '%1'", "attempts"), .found = "not a list", .expected = "a list"});
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     auto attempt = attemptOf(attempts[i], i);
     if (!attempt) {
       Error error = attempt.error();
-      error.file = file.string();
+      error.file = name;
       return makeError(std::move(error));
     }
     session.attempts.push_back(std::move(*attempt));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/system/error.h"
@@ -82,6 +83,8 @@ struct TrainingSession {
 
 /// Errors name file and attempt; a newer version is refused.
 Expected<TrainingSession> readTraining(const std::filesystem::path& file);
+/// The same from a text; errors use `name` as the file.
+Expected<TrainingSession> parseTraining(std::string_view text, const std::string& name);
 std::string toJsonText(const TrainingSession& session);
 /// One line per attempt, header with units; kind and rest_s (s since the practice before it) come last.
 std::string toCsvText(const TrainingSession& session);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticell-ros2 JOB: one JSON object that says what to do, as hapticell-cli ros2 makes it. The result is one JSON
+// object on standard output; a sentence on standard error and exit 2 say why not.
+#include <sys/prctl.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bridge/ros2/cell_publisher.h"
+#include "bridge/ros2/ros_listener.h"
+#include "geometry/system/nesting_limit.h"
+
+namespace {
+
+std::atomic<bool> stop_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // Set by a signal handler.
+
+void askToStop(int) {
+  stop_asked = true;
+}
+
+hapticell::bridge::RosNodeOptions nodeOptions(const nlohmann::json& job) {
+  return {job.value("domain", 0), job.value("this_machine", false)};
+}
+
+hapticell::Expected<nlohmann::ordered_json> publish(const nlohmann::json& job) {
+  hapticell::bridge::PublishOptions options;
+  options.node = nodeOptions(job);
+  options.workcell = job.value("workcell", "");
+  options.entity = job.value("entity", "");
+  options.motion = job.value("motion", "");
+  options.server = job.value("server", "");
+  options.trajectory_topic = job.value("trajectory", "");
+  options.folder = job.value("meshes", "");
+  options.rate_hz = job.value("rate", options.rate_hz);
+  options.seconds = job.value("seconds", options.seconds);
+  options.wait = job.value("wait", options.wait);
+  options.simulated_clock = job.value("clock", false);
+  options.repeat = job.value("repeat", false);
+  return hapticell::bridge::publishCell(options, stop_asked);
+}
+
+hapticell::Expected<nlohmann::ordered_json> listen(const nlohmann::json& job) {
+  hapticell::bridge::ListenOptions options;
+  options.node = nodeOptions(job);
+  options.motion = job.value("output", "");
+  options.trajectory = job.value("trajectory", "");
+  options.description = job.value("description", "");
+  options.workcell = job.value("workcell", "");
+  options.entity = job.value("entity", "");
+  options.mirrored = job.value("mirror", "");
+  options.joint_topic = job.value("joint_topic", options.joint_topic);
+  options.trajectory_topic = job.value("trajectory_topic", options.trajectory_topic);
+  options.seconds = job.value("seconds", options.seconds);
+  return hapticell::bridge::listen(options, stop_asked);
+}
+
+int run(const std::string& text) {
+  if (!hapticell::geometry::checkNesting(text, hapticell::geometry::NestedText::kJson, "job")) return 2;
+  const nlohmann::json job = nlohmann::json::parse(text, nullptr, false);
+  if (!job.is_object()) {
+    std::fprintf(stderr, "hapticell-ros2 is started by 'hapticell-cli ros2'.\n");
+    return 2;
+  }
+  const auto result = job.value("do", "") == "listen" ? listen(job) : publish(job);
+  if (!result) {
+    std::fprintf(stderr, "hapticell-cli: %s\n", result.error().message().c_str());
+    return 2;
+  }
+  std::printf("%s\n", result->dump().c_str());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // It ends with hapticell-cli.
+  std::signal(SIGINT, askToStop);
+  std::signal(SIGTERM, askToStop);
+  try {
+    return run(argc == 2 ? argv[1] : "");
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "hapticell-cli: ros2: %s\n", problem.what());
+    return 2;
+  }
+}

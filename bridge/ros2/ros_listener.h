@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bridge/ros2/ros_node.h"
+#include "geometry/system/error.h"
+
+namespace hapticell::bridge {
+
+/// What is taken from ROS 2, and where it goes. Empty: not listened for.
+struct ListenOptions {
+  RosNodeOptions node;
+  std::string motion;       ///< File for the joint states that come, .htraj or .csv.
+  std::string trajectory;   ///< File for the first JointTrajectory.
+  std::string description;  ///< File for the robot's description, .urdf.
+  std::string workcell, entity, mirrored;  ///< The cell whose robot takes the last joint state, and its new file.
+  std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
+  double seconds = 10.0;  ///< At most so long; with only a trajectory or a description, until they came.
+};
+
+/// Listens, then writes the files. Result: `joint_states`, `frames`, `writers` (programs heard on the topic of joints),
+/// `files`, `notes`. Errors: nothing came of what was asked for, joints that the robot does not have, files that cannot
+/// be written; nothing is written then.
+Expected<nlohmann::ordered_json> listen(const ListenOptions& options, const std::atomic<bool>& stop);
+
+}  // namespace hapticell::bridge

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/ros2/ros2_command.h"
+
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/kit/result_writer.h"
+#include "cli/kit/server_address.h"
+#include "cli/ros2/bridge_call.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What both directions share.
+struct RosWords {
+  int domain = -1;  ///< Below 0: not given.
+  bool this_machine = false;
+  double seconds = 10.0;
+};
+
+struct PublishWords {
+  RosWords ros;
+  std::string workcell, entity, motion, server, trajectory, meshes;
+  double rate = 100.0, wait = 5.0;
+  bool clock = false, repeat = false;
+};
+
+struct ListenWords {
+  RosWords ros;
+  std::string output, trajectory, description, workcell, entity, mirror;
+  std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
+};
+
+/// --domain, else ROS_DOMAIN_ID, else 0.
+Expected<int> domainOf(const RosWords& words) {
+  const char* const named = std::getenv("ROS_DOMAIN_ID");
+  if (words.domain >= 0) return words.domain;
+  if (!named || *named == '\0') return 0;
+  char* end = nullptr;
+  const long domain = std::strtol(named, &end, 10);
+  if (*end != '\0' || domain < 0 || domain > 232)
+    return makeError({.place = "ROS_DOMAIN_ID", .found = std::string(named), .expected = "0 to 232"});
+  return static_cast<int>(domain);
+}
+
+ExitStatus runBridge(ordered_json job, const RosWords& words, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  const auto domain = domainOf(words);
+  if (!domain) return failed(domain.error());
+  const char* const local = std::getenv("ROS_LOCALHOST_ONLY");
+  job["domain"] = *domain;
+  job["this_machine"] = words.this_machine || (local && std::string(local) == "1");
+  job["seconds"] = words.seconds;
+  const auto answer = callBridge(job.dump());
+  if (!answer) return failed(answer.error());
+  if (answer->status != 0) return ExitStatus::kBadInput;  // Its sentence is on standard error already.
+  const ordered_json result = ordered_json::parse(answer->output, nullptr, false);
+  if (result.is_discarded())
+    return failed({.found = "hapticell-ros2 gave no result", .fix = "This is a bug. Please report it."});
+  if (const auto written = writer.write(result); !written) return failed(written.error());
+  return ExitStatus::kDone;
+}
+
+ExitStatus runPublish(const PublishWords& words, const ResultWriter& writer) {
+  if (!words.server.empty()) {
+    if (const auto address = parseServerAddress(words.server, "--server"); !address) {
+      report(address.error());
+      return ExitStatus::kBadInput;
+    }
+  }
+  return runBridge({{"do", "publish"},
+                    {"workcell", words.workcell},
+                    {"entity", words.entity},
+                    {"motion", words.motion},
+                    {"server", words.server},
+                    {"trajectory", words.trajectory},
+                    {"meshes", words.meshes},
+                    {"rate", words.rate},
+                    {"wait", words.wait},
+                    {"clock", words.clock},
+                    {"repeat", words.repeat}},
+                   words.ros, writer);
+}
+
+ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
+  if (words.mirror.empty() != words.workcell.empty() || words.mirror.empty() != words.entity.empty()) {
+    report({"", "--mirror", "--workcell, --entity and --mirror are not all given", "all three, or none", ""});
+    return ExitStatus::kBadInput;
+  }
+  return runBridge({{"do", "listen"},
+                    {"output", words.output},
+                    {"trajectory", words.trajectory},
+                    {"description", words.description},
+                    {"workcell", words.workcell},
+                    {"entity", words.entity},
+                    {"mirror", words.mirror},
+                    {"joint_topic", words.joint_topic},
+                    {"trajectory_topic", words.trajectory_topic}},
+                   words.ros, writer);
+}
+
+void addRosOptions(Subcommand command, RosWords& words, const char* seconds) {
+  command.option("--domain", words.domain, "Domain, 0 to 232 (ROS_DOMAIN_ID, else 0)").withinWhole(0, 232);
+  command.flag("--this-machine", words.this_machine, "Only programs on this machine (as ROS_LOCALHOST_ONLY=1)");
+  command.option("--seconds", words.seconds, seconds).within(0.0, 86400.0);
+}
+
+}  // namespace
+
+void addRos2Command(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("ros2", "Exchange robots and motions with programs of ROS 2, without ROS installed");
+  command.mustGoOn();
+  const auto out = std::make_shared<PublishWords>();
+  Subcommand publish = command.add("publish", "Publish a robot of a cell: description, joints, frames, scene, motion");
+  publish.option("--workcell", out->workcell, "Workcell document, *.hcell").takes(ValueKind::kWorkcell).required();
+  publish.option("--entity", out->entity, "Robot of the cell (default: the only one)");
+  publish.option("--motion", out->motion, "Motion of the robot, in any format that is read").takes(ValueKind::kMotion);
+  publish.option("--server", out->server, "HOST:PORT of a haptic server; its stylus is published live");
+  publish.option("--trajectory", out->trajectory, "Topic that gets the motion once, as a JointTrajectory");
+  publish.option("--wait", out->wait, "How long to wait for a reader of that topic, s (5)").within(0.0, 3600.0);
+  publish.option("--meshes", out->meshes, "Folder for the robot's meshes (default: removed at the end)")
+      .takes(ValueKind::kFolder);
+  publish.option("--rate", out->rate, "Messages a second, Hz (100)").within(1.0, 1000.0);
+  publish.flag("--repeat", out->repeat, "Play the motion again and again");
+  publish.flag("--clock", out->clock, "Publish /clock and stamp with times from 0 (use_sim_time)");
+  addRosOptions(publish, out->ros, "Shortest duration, s (10); 0: until the motion ends or Ctrl+C");
+  publish.onChosen([out, &chosen] { chosen = [out](ResultWriter& writer) { return runPublish(*out, writer); }; });
+
+  const auto in = std::make_shared<ListenWords>();
+  Subcommand listen = command.add("listen", "Take joints, motions or a robot's description from ROS 2");
+  listen.option("-o,--output", in->output, "Motion to write from the joint states that come: .htraj or .csv")
+      .takes(ValueKind::kMotion);
+  listen.option("--trajectory", in->trajectory, "Motion to write from the first JointTrajectory: .htraj or .csv")
+      .takes(ValueKind::kMotion);
+  listen.option("--description", in->description, "URDF to write from /robot_description").takes(ValueKind::kFile);
+  listen.option("--workcell", in->workcell, "Workcell whose robot takes the last joint states")
+      .takes(ValueKind::kWorkcell);
+  listen.option("--entity", in->entity, "That robot");
+  listen.option("--mirror", in->mirror, "Workcell to write with the robot as it was heard").takes(ValueKind::kWorkcell);
+  listen.option("--joint-topic", in->joint_topic, "Topic of the joint states (/joint_states)");
+  listen.option("--trajectory-topic", in->trajectory_topic, "Topic of the motion (/joint_trajectory)");
+  addRosOptions(listen, in->ros, "How long to listen, s (10)");
+  listen.onChosen([in, &chosen] { chosen = [in](ResultWriter& writer) { return runListen(*in, writer); }; });
+}
+
+}  // namespace hapticell::cli

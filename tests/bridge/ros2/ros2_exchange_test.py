@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`hapticell-cli ros2` against programs with another maker's DDS (fastdds_peer.cpp), in processes of their own, on loopback without
+multicast: every field of what is published and heard, who comes late, who goes and comes again, 1 kHz.
+
+usage: ros2_exchange_test.py HAPTICELL_CLI PROJECT [FASTDDS_PEER]
+Exit 77 without the peer (Debian: libfastrtps-dev, fastddsgen and Java, when the tests are built).
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree as ET
+
+CLI, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+PEER = sys.argv[3] if len(sys.argv) > 3 else None
+CELL = ROOT / "config/workcells/demo.hcell"
+DOMAIN = "87"
+
+
+def peer(*words):
+    return subprocess.Popen([PEER, DOMAIN, *map(str, words)], stdout=subprocess.PIPE, text=True)
+
+
+def lines(process, wanted=0):
+    out, _ = process.communicate(timeout=120)
+    assert wanted is None or process.returncode == wanted, (process.args, process.returncode, out[-500:])
+    return [json.loads(line) for line in out.splitlines()]
+
+
+def start(*words):
+    return subprocess.Popen([CLI, "ros2", *map(str, words), "--domain", DOMAIN, "--this-machine"], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True)
+
+
+def answer(process, status=0):
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == status, (process.args, process.returncode, err)
+    return json.loads(out) if status == 0 else err
+
+
+def motion_file(folder):
+    """A motion of the robot of the cell with forces, as its twin in CSV."""
+    subprocess.run([CLI, "session", "--workcell", CELL, "--entity", "robot", "--hand", ROOT / "config/workcells/demo-hand.csv", "--record",
+                    folder / "m.htraj"], check=True, capture_output=True)
+    return json.loads((folder / "m.htraj").read_text())
+
+
+def everything_arrives(folder, motion):
+    readers = {"joints": peer("read", "rt/joint_states", "JointState", 50, 30), "frames": peer("read", "rt/tf", "TFMessage", 50, 30),
+               "moved": peer("read", "rt/moved/pose", "PoseStamped", 20, 30), "clock": peer("read", "rt/clock", "Clock", 20, 30),
+               "force": peer("read", "rt/moved/wrench", "WrenchStamped", 20, 30)}
+    time.sleep(1.0)
+    publish = start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--clock", "--rate", 100, "--seconds", 12, "--repeat")
+    time.sleep(4.0)
+    # Who comes late gets what is latched.
+    late = {"text": peer("read", "rt/robot_description", "String", 1, 20, "latched"),
+            "fixed": peer("read", "rt/tf_static", "TFMessage", 1, 20, "latched"),
+            "scene": peer("read", "rt/planning_scene", "PlanningScene", 1, 20, "latched")}
+    got = {name: lines(process) for name, process in {**readers, **late}.items()}
+    report = answer(publish)
+    check_joints(motion, got["joints"], got["frames"])
+    names = motion["joints"]
+    robot = ET.fromstring(got["text"][0]["data"])
+    assert set(names) <= {joint.get("name") for joint in robot.iter("joint")}
+    for mesh in robot.iter("mesh"):
+        assert mesh.get("filename").startswith("file:///"), mesh.get("filename")
+    links = {link.get("name") for link in robot.iter("link")}
+    children = [t["child"] for t in got["fixed"][0]["transforms"]] + [t["child"] for t in got["frames"][0]["transforms"]]
+    assert len(children) == len(set(children)) and links - {"world", "cell"} <= set(children), (links, children)
+    inspected = json.loads(subprocess.run([CLI, "inspect", CELL], capture_output=True, text=True, check=True).stdout)
+    solids = {}
+
+    def collect(entities):
+        for entity in entities:
+            if entity["kind"] == "solid" and entity["triangles"] > 0:
+                solids[entity["name"]] = entity["triangles"]
+            collect(entity["children"])
+    collect(inspected["entities"])
+    objects = {item["id"]: item for item in got["scene"][0]["objects"]}
+    assert got["scene"][0]["is_diff"] == 1 and objects and set(objects) <= set(solids), (objects.keys(), solids.keys())
+    for name, item in objects.items():
+        assert item["triangles"] == solids[name] and item["header"]["frame_id"] == "world" and item["operation"] == 0
+    times = [clock["sec"] + 1e-9 * clock["nanosec"] for clock in got["clock"]]
+    assert all(abs(b - a - 0.01) < 1e-6 for a, b in zip(times, times[1:])), times
+    assert got["moved"][0]["header"]["frame_id"] == "world" and abs(sum(q * q for q in got["moved"][0]["orientation"]) - 1) < 1e-9
+    assert all(math.isfinite(f) for f in got["force"][0]["force"]) and got["force"][0]["torque"] == [0, 0, 0]
+    assert report["published"]["/joint_states"] == report["ticks"] and report["published"]["/robot_description"] == 1
+
+
+def check_joints(motion, states, frames):
+    """Positions at the stamps of the messages, by an interpolation of our own."""
+    names, rows = motion["joints"], motion["frames"]
+    duration = rows[-1][0] - rows[0][0]
+    previous = -1.0
+    for state in states:
+        assert state["name"] == names and len(state["position"]) == len(names) and state["effort"] == []
+        stamp = state["header"]["sec"] + 1e-9 * state["header"]["nanosec"]
+        assert stamp > previous
+        previous = stamp
+        t = rows[0][0] + math.fmod(stamp, duration)
+        k = next((n for n, row in enumerate(rows) if row[0] >= t), len(rows) - 1)
+        a, b = rows[max(0, k - 1)], rows[k]
+        share = 0.0 if b[0] == a[0] else min(1.0, max(0.0, (t - a[0]) / (b[0] - a[0])))
+        for j in range(len(names)):
+            assert abs(state["position"][j] - (a[8 + j] + share * (b[8 + j] - a[8 + j]))) < 1e-5, (stamp, j)
+    for message in frames:
+        for transform in message["transforms"]:
+            assert abs(sum(q * q for q in transform["rotation"]) - 1.0) < 1e-9
+
+
+def a_motion_is_sent(folder, motion):
+    reader = peer("read", "rt/arm/joint_trajectory", "JointTrajectory", 1, 30)
+    answer(start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--trajectory", "/arm/joint_trajectory", "--seconds", 0.1,
+                 "--wait", 20, "--rate", 10))
+    message = lines(reader)[0]
+    rows = motion["frames"]
+    assert message["joint_names"] == motion["joints"] and len(message["points"]) == len(rows)
+    for row, point in zip(rows, message["points"]):
+        assert point["positions"] == row[8:8 + len(motion["joints"])]
+        assert abs(point["sec"] + 1e-9 * point["nanosec"] - (row[0] - rows[0][0])) < 1e-8
+    assert set(message["points"][0]["velocities"]) == {0} and set(message["points"][-1]["velocities"]) == {0}
+    assert "no reader" in answer(start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--trajectory", "/nobody", "--wait", 1), 2)
+
+
+def robots_are_heard(folder):
+    listen = start("listen", "-o", folder / "heard.htraj", "--trajectory", folder / "sent.htraj", "--description", folder / "robot.urdf",
+                   "--seconds", 9)
+    time.sleep(0.5)
+    writers = [peer("write", "rt/joint_states", "JointState", 200, 100), peer("write", "rt/joint_trajectory", "JointTrajectory", 1, 1),
+               peer("write", "rt/robot_description", "String", 1, 1, "latched")]
+    report = answer(listen)
+    for writer in writers:
+        lines(writer)
+    heard = json.loads((folder / "heard.htraj").read_text())
+    assert heard["joints"] == ["A1", "A2", "A3", "A4", "A5", "A6"] and not heard["has_poses"]
+    assert report["joint_states"] == len(heard["frames"]) >= 190, report
+    first = round(heard["frames"][0][8] / 0.001)
+    for k, frame in enumerate(heard["frames"]):
+        assert abs(frame[0] - 0.01 * k) < 1e-6 and frame[8:] == [0.001 * (k + first), -0.5, 0.25, 0.0, -0.001 * (k + first), 1 / 3], frame
+    sent = json.loads((folder / "sent.htraj").read_text())
+    assert sent["joints"] == ["a", "b"] and [f[0] for f in sent["frames"]] == [0.25, 1.25, 2.25, 3.25]
+    assert [f[8:] for f in sent["frames"]] == [[0.5 * k, -1.0 * k] for k in range(4)]
+    assert (folder / "robot.urdf").read_text() == '<robot name="r"><link name="base"/></robot>\n'
+    assert "no message" in answer(start("listen", "-o", folder / "none.htraj", "--seconds", 1), 2)
+    assert not (folder / "none.htraj").exists()
+
+
+def a_robot_is_mirrored(folder, motion):
+    listen = start("listen", "--workcell", CELL, "--entity", "robot", "--mirror", folder / "mirror.hcell", "--seconds", 6)
+    publish = start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--seconds", 0, "--rate", 200)
+    answer(publish)
+    answer(listen)
+    cell = json.loads((folder / "mirror.hcell").read_text())
+    robot = next(entity for entity in cell["entities"] if entity["name"] == "robot")
+    last = motion["frames"][-1][8:8 + len(motion["joints"])]
+    duration = motion["frames"][-1][0] - motion["frames"][0][0]
+    if duration < 5.0:
+        assert all(abs(a - b) < 1e-3 for a, b in zip(robot["joints"], last)), (robot["joints"], last)
+
+
+def peers_go_and_come(folder):
+    publish = start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--rate", 200, "--seconds", 14, "--repeat")
+    first = peer("read", "rt/joint_states", "JointState", 100000, 60)
+    time.sleep(4.0)
+    first.kill()  # Without a farewell.
+    first.communicate()
+    again = lines(peer("read", "rt/joint_states", "JointState", 100, 20))
+    assert len(again) == 100
+    assert answer(publish)["late_5ms"] >= 0
+    # And the other way round: a reader hears the second publisher after the first was killed.
+    reader = peer("read", "rt/joint_states", "JointState", 400, 40)
+    for _ in range(2):
+        publish = start("publish", "--workcell", CELL, "--rate", 100, "--seconds", 30)
+        time.sleep(5.0)
+        publish.kill()
+        publish.communicate()
+    assert len(lines(reader)) == 400
+
+
+def a_thousand_a_second_arrive(folder):
+    reader = peer("read", "rt/joint_states", "JointState", 3000, 60)
+    time.sleep(1.0)
+    report = answer(start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--rate", 1000, "--seconds", 8, "--repeat"))
+    states = lines(reader)
+    stamps = [state["header"]["sec"] * 10**9 + state["header"]["nanosec"] for state in states]
+    assert len(states) == 3000 and stamps == sorted(set(stamps))
+    print("1 kHz: ticks", report["ticks"], "more than 5 ms late", report["late_5ms"])
+
+
+def main():
+    if not PEER:
+        print("skipped: Fast DDS, fastddsgen or Java was not there when the tests were built")
+        return 77
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        motion = motion_file(folder)
+        for step in (lambda: everything_arrives(folder, motion), lambda: a_motion_is_sent(folder, motion), lambda: robots_are_heard(folder),
+                     lambda: a_robot_is_mirrored(folder, motion), lambda: peers_go_and_come(folder), lambda: a_thousand_a_second_arrive(folder)):
+            step()
+            print("passed", flush=True)
+    return 0
+
+
+sys.exit(main())
