@@ -39,6 +39,7 @@ ALLOWED = {
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
     "studies": ENGINES | {"workcell", "manipulation"},
     "cli": {"*"},
+    "python": {"*"},
     "app": {"*"},
 }
 # Tests that belong to no folder of the program, or serve several of one.
@@ -57,6 +58,7 @@ FOREIGN = {
     r"^asio": {"haptic/transport", "haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/transport"},
     r"^CLI/": {"cli"},
+    r"^pybind11/": {"python"},
     r"^cairo": {"mannequin"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},
