@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/kit/result_writer.h"
 #include "cli/kit/command_listener.h"
+#include "cli/kit/result_writer.h"
 #include "cli/session/session_commands.h"
 #include "feel/benchmark.h"
 #include "workcell/meshes/mesh_reader.h"

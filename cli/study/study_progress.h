@@ -9,8 +9,8 @@
 
 namespace hapticell::cli {
 
-/// Shows on standard error how far a run is and how long it will take: one line that is written over on a terminal, else
-/// a line a tenth of the way. Calls come one at a time.
+/// Shows on standard error how far a run is and how long it will take: one line that is written over on a terminal,
+/// else a line a tenth of the way. Calls come one at a time.
 class StudyProgress {
  public:
   StudyProgress();
@@ -29,8 +29,8 @@ class StudyProgress {
 /// "1 h 05 min", "12 s"
 std::string durationWords(double seconds);
 
-/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program. With a
-/// CommandListener, signals stay as they are and the listener is asked.
+/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program. With
+/// a CommandListener, signals stay as they are and the listener is asked.
 class StopSignal {
  public:
   StopSignal();

@@ -233,7 +233,8 @@ haptic::HandSample handAt(const SessionOptions& options, double t, const haptic:
 
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace) {
   if (options.live_hand && !(options.live_hand->duration_s > 0.0 && options.live_hand->duration_s < kLongestHand)) {
-    return makeError({.place = "duration", .found = "a duration out of range", .expected = "seconds above 0, 24 h at most"});
+    return makeError(
+        {.place = "duration", .found = "a duration out of range", .expected = "seconds above 0, 24 h at most"});
   }
   const SteadyClock::time_point begin = SteadyClock::now();
   haptic::VirtualClock clock;

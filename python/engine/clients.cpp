@@ -64,7 +64,8 @@ Client::Client(const std::string& host, int port, double timeout) {
   options.program = "Python";
   link_ = std::make_unique<haptic::TcpLink>(options);
   const bool connected = await(timeout, [&] {
-    return (link_->linkState() == haptic::LinkState::kConnected && link_->device()) || link_->linkState() == haptic::LinkState::kRefused;
+    return (link_->linkState() == haptic::LinkState::kConnected && link_->device()) ||
+           link_->linkState() == haptic::LinkState::kRefused;
   });
   if (connected && link_->device()) return;
   raise({.file = host + ":" + std::to_string(port),
@@ -78,7 +79,8 @@ py::object Client::state(double timeout) {
   haptic::TcpLink& from = link();
   if (!await(timeout, [&] { return (newest = from.latestState()).has_value(); })) {
     raise({.place = "client",
-           .found = from.problem().empty() ? Text("no new state in %1 s", std::to_string(timeout)) : haptic::wholeText(from.problem()),
+           .found = from.problem().empty() ? Text("no new state in %1 s", std::to_string(timeout))
+                                           : haptic::wholeText(from.problem()),
            .expected = "a state of the server"});
   }
   return feltObject(*newest);
@@ -131,41 +133,62 @@ struct Server {
 }  // namespace
 
 void bindClients(py::module_& module) {
-  py::class_<Client>(module, "HapticClient",
-      "Drives a running haptic server: sends what can be felt, reads the stylus. The force loop runs in the server, a thousand "
+  py::class_<Client>(
+      module, "HapticClient",
+      "Drives a running haptic server: sends what can be felt, reads the stylus. The force loop runs in the server, a "
+      "thousand "
       "times a second, and goes on whatever Python does. A server on another machine needs its key (hapticell.pair).")
-      .def(py::init<const std::string&, int, double>(), py::arg("host") = "127.0.0.1", py::arg("port") = 4747, py::arg("timeout") = 5.0)
+      .def(py::init<const std::string&, int, double>(), py::arg("host") = "127.0.0.1", py::arg("port") = 4747,
+           py::arg("timeout") = 5.0)
       .def_property_readonly("device", &deviceOf, "Name, workspace (m) and forces (N) of the device.")
-      .def_property_readonly("connected", [](Client& self) { return self.link().linkState() == haptic::LinkState::kConnected; })
-      .def("state", &Client::state, py::arg("timeout") = 1.0, "The newest state (Felt); waits for one that was not returned yet.")
-      .def("send", &Client::send, py::arg("gaps"), py::arg("gradients"), py::arg("reference") = py::none(), py::arg("zone_radius") = 0.06,
-           py::arg("stiffness") = 0.0,
-           "What can be felt within `zone_radius` (m) of the pose X_DR: the stylus is free while gap + gradient . xi >= 0 for "
+      .def_property_readonly("connected",
+                             [](Client& self) { return self.link().linkState() == haptic::LinkState::kConnected; })
+      .def("state", &Client::state, py::arg("timeout") = 1.0,
+           "The newest state (Felt); waits for one that was not returned yet.")
+      .def("send", &Client::send, py::arg("gaps"), py::arg("gradients"), py::arg("reference") = py::none(),
+           py::arg("zone_radius") = 0.06, py::arg("stiffness") = 0.0,
+           "What can be felt within `zone_radius` (m) of the pose X_DR: the stylus is free while gap + gradient . xi "
+           ">= 0 for "
            "each row, xi = dx, dy, dz (m), rx, ry, rz (rad) from there, in the device frame. Shapes (n,) and (n, 6). "
            "`stiffness` in N/m; 0: the device's own. Send it at least every two seconds, or the force fades.")
-      .def("enable_forces", [](Client& self, bool on) { self.link().sendControl({.forces_enabled = on}); }, py::arg("on") = true)
-      .def("hold", [](Client& self, py::handle pose, std::uint32_t buttons) {
-        self.link().sendHandTarget({.holding = true, .X_DH = poseOf(pose), .buttons = buttons});
-      }, py::arg("pose"), py::arg("buttons") = 0, "Where the hand of a simulated stylus wants it to be; real devices ignore it.")
-      .def("release", [](Client& self) { self.link().sendHandTarget({}); }, "Nobody holds the simulated stylus.")
+      .def(
+          "enable_forces", [](Client& self, bool on) { self.link().sendControl({.forces_enabled = on}); },
+          py::arg("on") = true)
+      .def(
+          "hold",
+          [](Client& self, py::handle pose, std::uint32_t buttons) {
+            self.link().sendHandTarget({.holding = true, .X_DH = poseOf(pose), .buttons = buttons});
+          },
+          py::arg("pose"), py::arg("buttons") = 0,
+          "Where the hand of a simulated stylus wants it to be; real devices ignore it.")
+      .def(
+          "release", [](Client& self) { self.link().sendHandTarget({}); }, "Nobody holds the simulated stylus.")
       .def("close", &Client::close)
       .def("__enter__", [](py::object self) { return self; })
       .def("__exit__", [](Client& self, const py::args&) { self.close(); })
       .def("__repr__", [](Client& self) { return py::str("<HapticClient of {}>").format(deviceOf(self)["name"]); });
 
-  py::class_<Server>(module, "HapticServer", "A haptic server with a simulated stylus in this process, on a free port of this machine.")
+  py::class_<Server>(module, "HapticServer",
+                     "A haptic server with a simulated stylus in this process, on a free port of this machine.")
       .def(py::init([] { return Server{valueOf(manipulation::LocalServer::start({}, {}))}; }))
-      .def_property_readonly("port", [](const Server& self) { return self.server ? self.server->port() : 0; }, "0 once it is closed.")
-      .def("close", [](Server& self) {
-        const py::gil_scoped_release unlocked;
-        self.server.reset();
-      }, "Sets the force to zero and ends.")
+      .def_property_readonly(
+          "port", [](const Server& self) { return self.server ? self.server->port() : 0; }, "0 once it is closed.")
+      .def(
+          "close",
+          [](Server& self) {
+            const py::gil_scoped_release unlocked;
+            self.server.reset();
+          },
+          "Sets the force to zero and ends.")
       .def("__enter__", [](py::object self) { return self; })
-      .def("__exit__", [](Server& self, const py::args&) {
-        const py::gil_scoped_release unlocked;
-        self.server.reset();
-      })
-      .def("__repr__", [](const Server& self) { return py::str("<HapticServer on port {}>").format(self.server ? self.server->port() : 0); });
+      .def("__exit__",
+           [](Server& self, const py::args&) {
+             const py::gil_scoped_release unlocked;
+             self.server.reset();
+           })
+      .def("__repr__", [](const Server& self) {
+        return py::str("<HapticServer on port {}>").format(self.server ? self.server->port() : 0);
+      });
 }
 
 }  // namespace hapticell::python

@@ -54,8 +54,9 @@ py::tuple run(const std::vector<std::string>& words, const py::object& progress)
           });
   tellWarnings(heard.warnings);
   if (status == 2) {
-    raise(heard.errors.empty() ? Error{.found = "the command failed without a sentence", .fix = "This is a bug. Please report it."}
-                               : heard.errors.back());
+    raise(heard.errors.empty()
+              ? Error{.found = "the command failed without a sentence", .fix = "This is a bug. Please report it."}
+              : heard.errors.back());
   }
   py::list results;
   for (const auto& result : heard.results) results.append(objectOf(result));
@@ -67,9 +68,11 @@ py::tuple run(const std::vector<std::string>& words, const py::object& progress)
 void bindCommands(py::module_& module) {
   module.def("run_command", &run, py::arg("words"), py::arg("progress") = py::none(),
              "Runs a command of hapticell-cli in this process: (exit status, results, printed text).");
-  module.def("command_grammar", [] { return cli::commandGrammar().dump(); }, "All commands and their options, as JSON.");
-  module.def("program_path", [](const std::string& name) { return cli::siblingProgram(name).string(); }, py::arg("name"),
-             "Path of another program of HaptiCell; empty: not found.");
+  module.def(
+      "command_grammar", [] { return cli::commandGrammar().dump(); }, "All commands and their options, as JSON.");
+  module.def(
+      "program_path", [](const std::string& name) { return cli::siblingProgram(name).string(); }, py::arg("name"),
+      "Path of another program of HaptiCell; empty: not found.");
 }
 
 }  // namespace hapticell::python

@@ -97,7 +97,8 @@ class NumberTable {
 
 py::object listOf(const nlohmann::ordered_json& json) {
   if (const auto table = NumberTable::of(json)) return table->array();
-  const bool records = !json.empty() && std::all_of(json.begin(), json.end(), [](const auto& one) { return one.is_object(); });
+  const bool records =
+      !json.empty() && std::all_of(json.begin(), json.end(), [](const auto& one) { return one.is_object(); });
   py::list list;
   for (const auto& one : json) list.append(objectOf(one));
   return records ? py::module_::import("hapticell._results").attr("Records")(list) : py::object(list);

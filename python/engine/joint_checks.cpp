@@ -51,7 +51,8 @@ py::array_t<bool> areFree(Check& self, py::handle joints, double clearance) {
       std::vector<double> q(static_cast<std::size_t>(dof));
       for (py::ssize_t i = begin; i < std::min(rows.shape(0), begin + kPiece); ++i) {
         q.assign(rows.data() + i * dof, rows.data() + (i + 1) * dof);
-        to[i] = std::all_of(q.begin(), q.end(), [](double v) { return std::isfinite(v); }) && self.check.isFree(q, clearance);
+        to[i] = std::all_of(q.begin(), q.end(), [](double v) { return std::isfinite(v); }) &&
+                self.check.isFree(q, clearance);
       }
     }
     checkSignals();
@@ -59,8 +60,8 @@ py::array_t<bool> areFree(Check& self, py::handle joints, double clearance) {
   return free;
 }
 
-py::list freeInverse(const Workcell& cell, const std::string& robot, py::handle poses, double clearance, py::handle start,
-                     bool leave_out, int threads) {
+py::list freeInverse(const Workcell& cell, const std::string& robot, py::handle poses, double clearance,
+                     py::handle start, bool leave_out, int threads) {
   const auto id = cell.entity(robot).id;
   const std::vector<Pose> X_BT = posesOf(poses);
   manipulation::InverseBatchOptions options;
@@ -84,26 +85,39 @@ py::list freeInverse(const Workcell& cell, const std::string& robot, py::handle 
 }  // namespace
 
 void bindJointChecks(py::module_& module) {
-  py::class_<Check>(module, "JointCheck",
-                    "Exact contact checks of one robot of a cell at many joint positions, each by itself (Workcell.joint_check). The "
-                    "cell counts as it was when this was made.")
-      .def("is_free", [](Check& self, py::handle joints, double clearance) { return self.check.isFree(self.joints(joints), clearance); },
-           py::arg("joints"), py::arg("clearance") = 0.0, "True if nothing touches at these joints, or is nearer than `clearance` (m).")
-      .def("are_free", &areFree, py::arg("joints"), py::arg("clearance") = 0.0, "The same for joints of shape (n, dof): n booleans.")
-      .def("clearance", [](Check& self, py::handle joints, double limit) { return self.check.clearance(self.joints(joints), limit); },
-           py::arg("joints"), py::arg("limit") = 1.0, "The least distance (m) to the cell, up to `limit`; 0 in contact.")
-      .def("contact", [](Check& self, py::handle joints) { return english(self.check.contactAt(self.joints(joints))); },
-           py::arg("joints"), "The first contact in words; empty if it is free.")
-      .def("__repr__", [](const Check& self) { return py::str("<JointCheck of '{}'>").format(self.check.entity().name); });
+  py::class_<Check>(
+      module, "JointCheck",
+      "Exact contact checks of one robot of a cell at many joint positions, each by itself (Workcell.joint_check). The "
+      "cell counts as it was when this was made.")
+      .def(
+          "is_free",
+          [](Check& self, py::handle joints, double clearance) {
+            return self.check.isFree(self.joints(joints), clearance);
+          },
+          py::arg("joints"), py::arg("clearance") = 0.0,
+          "True if nothing touches at these joints, or is nearer than `clearance` (m).")
+      .def("are_free", &areFree, py::arg("joints"), py::arg("clearance") = 0.0,
+           "The same for joints of shape (n, dof): n booleans.")
+      .def(
+          "clearance",
+          [](Check& self, py::handle joints, double limit) { return self.check.clearance(self.joints(joints), limit); },
+          py::arg("joints"), py::arg("limit") = 1.0, "The least distance (m) to the cell, up to `limit`; 0 in contact.")
+      .def(
+          "contact", [](Check& self, py::handle joints) { return english(self.check.contactAt(self.joints(joints))); },
+          py::arg("joints"), "The first contact in words; empty if it is free.")
+      .def("__repr__",
+           [](const Check& self) { return py::str("<JointCheck of '{}'>").format(self.check.entity().name); });
 
   auto cell = py::type::of<Workcell>();
-  cell.attr("joint_check") = py::cpp_function(&checkOf, py::name("joint_check"), py::is_method(cell), py::arg("robot"),
-      py::arg("leave_out_touching") = false,
+  cell.attr("joint_check") = py::cpp_function(
+      &checkOf, py::name("joint_check"), py::is_method(cell), py::arg("robot"), py::arg("leave_out_touching") = false,
       "A JointCheck of a robot. `leave_out_touching`: pairs that touch as the cell stands do not count.");
-  cell.attr("free_ik") = py::cpp_function(&freeInverse, py::name("free_ik"), py::is_method(cell), py::arg("robot"), py::arg("poses"),
-      py::arg("clearance") = 0.0, py::arg("start") = py::none(), py::arg("leave_out_touching") = true, py::arg("threads") = 0,
-      "All joint positions that bring the robot's tool to each pose X_BT (n, 7) and touch nothing, on all cores: a list of "
-      "arrays of shape (solutions, dof), nearest to `start` first.");
+  cell.attr("free_ik") = py::cpp_function(&freeInverse, py::name("free_ik"), py::is_method(cell), py::arg("robot"),
+                                          py::arg("poses"), py::arg("clearance") = 0.0, py::arg("start") = py::none(),
+                                          py::arg("leave_out_touching") = true, py::arg("threads") = 0,
+                                          "All joint positions that bring the robot's tool to each pose X_BT (n, 7) "
+                                          "and touch nothing, on all cores: a list of "
+                                          "arrays of shape (solutions, dof), nearest to `start` first.");
 }
 
 }  // namespace hapticell::python

@@ -13,8 +13,8 @@
 
 namespace hapticell::python {
 
-/// What Python sees as hapticell.Robot: a model, the tool centre point that is asked for, and scratch for queries, which
-/// run with the interpreter's lock.
+/// What Python sees as hapticell.Robot: a model, the tool centre point that is asked for, and scratch for queries,
+/// which run with the interpreter's lock.
 class Robot {
  public:
   Robot(std::shared_ptr<const kinematics::RobotModel> model, int tip, Pose X_LT);

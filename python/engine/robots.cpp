@@ -95,13 +95,15 @@ std::vector<std::string> libraryNames() {
 
 py::array_t<double> perJoint(const Robot& robot, double kinematics::Joint::*member) {
   std::vector<double> values;
-  for (const int joint : robot.model().moving) values.push_back(robot.model().joints[static_cast<std::size_t>(joint)].*member);
+  for (const int joint : robot.model().moving)
+    values.push_back(robot.model().joints[static_cast<std::size_t>(joint)].*member);
   return arrayOf(values);
 }
 
 std::vector<std::string> jointNames(const Robot& robot) {
   std::vector<std::string> names;
-  for (const int joint : robot.model().moving) names.push_back(robot.model().joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : robot.model().moving)
+    names.push_back(robot.model().joints[static_cast<std::size_t>(joint)].name);
   return names;
 }
 
@@ -116,7 +118,8 @@ Doubles rowsOf(const Robot& robot, py::handle joints) {
 }
 
 py::array_t<double> forward(Robot& robot, py::handle joints) {
-  if (joints.is_none() || doublesOf(joints, "joints").ndim() == 1) return arrayOf(robot.toolPose(robot.variables(joints)));
+  if (joints.is_none() || doublesOf(joints, "joints").ndim() == 1)
+    return arrayOf(robot.toolPose(robot.variables(joints)));
   const Doubles rows = rowsOf(robot, joints);
   std::vector<Pose> poses;
   poses.reserve(static_cast<std::size_t>(rows.shape(0)));
@@ -165,7 +168,7 @@ py::dict inverseOfPoses(Robot& robot, py::handle poses, py::handle start) {
   auto* const words = static_cast<char32_t*>(status.mutable_data());
   std::memset(words, 0, static_cast<std::size_t>(status.nbytes()));
   double *const q = joints.mutable_data(), *const position = position_error.mutable_data(),
-               *const orientation = orientation_error.mutable_data();
+                *const orientation = orientation_error.mutable_data();
   bool* const is_singular = singular.mutable_data();
   constexpr py::ssize_t kPiece = 256;  // Poses between two looks at signals: 10 ms or so. Half and twice: the same.
   for (py::ssize_t begin = 0; begin < count; begin += kPiece) {
@@ -193,17 +196,21 @@ py::dict inverseOfPoses(Robot& robot, py::handle poses, py::handle start) {
 }
 
 void bindSolutions(py::module_& module) {
-  py::class_<InverseSolution>(module, "IkSolution", "Joint positions for a pose of the tool, and how well they meet it.")
-      .def_property_readonly("status", [](const InverseSolution& s) { return toString(s.status); },
-                             "'solved'; 'limit': only joint limits prevent it; 'unreachable'.")
-      .def_property_readonly("joints", [](const InverseSolution& s) { return arrayOf(s.q); }, "Shape (dof,), rad or m.")
+  py::class_<InverseSolution>(module, "IkSolution",
+                              "Joint positions for a pose of the tool, and how well they meet it.")
+      .def_property_readonly(
+          "status", [](const InverseSolution& s) { return toString(s.status); },
+          "'solved'; 'limit': only joint limits prevent it; 'unreachable'.")
+      .def_property_readonly(
+          "joints", [](const InverseSolution& s) { return arrayOf(s.q); }, "Shape (dof,), rad or m.")
       .def_readonly("position_error", &InverseSolution::position_error, "Metres.")
       .def_readonly("orientation_error", &InverseSolution::orientation_error, "Radians.")
       .def_readonly("singular", &InverseSolution::singular, "A direction of the tool is (nearly) lost there.")
       .def("__bool__", [](const InverseSolution& s) { return s.status == kinematics::InverseStatus::kSolved; })
       .def("__repr__", [](const InverseSolution& s) { return py::str("<IkSolution {}>").format(toString(s.status)); });
   py::class_<Alternative>(module, "IkAlternative", "One of the ways to bring the tool to a pose.")
-      .def_property_readonly("joints", [](const Alternative& a) { return arrayOf(a.q); }, "Shape (dof,), rad or m.")
+      .def_property_readonly(
+          "joints", [](const Alternative& a) { return arrayOf(a.q); }, "Shape (dof,), rad or m.")
       .def_readonly("within_limits", &Alternative::within_limits)
       .def_readonly("configuration", &Alternative::configuration, "'front, elbow up, wrist flipped'")
       .def("__repr__", [](const Alternative& a) {
@@ -214,23 +221,33 @@ void bindSolutions(py::module_& module) {
 void bindKinematics(py::class_<Robot>& robot) {
   robot
       .def("fk", &forward, py::arg("joints") = py::none(),
-           "The pose X_BT of the tool in the root link, shape (7,), for joints of shape (dof,) (rad, m; None: at rest); for "
+           "The pose X_BT of the tool in the root link, shape (7,), for joints of shape (dof,) (rad, m; None: at "
+           "rest); for "
            "(n, dof) all of them, shape (n, 7).")
-      .def("link_poses", [](Robot& self, py::handle q) { return arrayOf(self.linkPoses(self.variables(q))); },
-           py::arg("joints") = py::none(), "X_BL of every link in the root link, shape (links, 7).")
+      .def(
+          "link_poses", [](Robot& self, py::handle q) { return arrayOf(self.linkPoses(self.variables(q))); },
+          py::arg("joints") = py::none(), "X_BL of every link in the root link, shape (links, 7).")
       .def("jacobian", &jacobianOf, py::arg("joints") = py::none(),
            "The tool's velocity by each joint's, in the root link: shape (6, dof), linear rows first.")
-      .def("manipulability", [](Robot& self, py::handle q) {
-        const py::array_t<double> J = jacobianOf(self, q);
-        kinematics::Jacobian plain{static_cast<std::size_t>(J.shape(1)), {J.data(), J.data() + J.size()}};
-        return kinematics::manipulability(plain, 0.25).measure;
-      }, py::arg("joints") = py::none(), "Product of the Jacobian's singular values, lengths divided by 0.25 m.")
-      .def("ik", [](Robot& self, py::handle pose, py::handle start) {
-        return self.inverse().solve(poseOf(pose), self.variables(start));
-      }, py::arg("pose"), py::arg("start") = py::none(),
-           "The solution for the tool at X_BT nearest to `start` (None: at rest). 'solved' whenever one within limits exists.")
+      .def(
+          "manipulability",
+          [](Robot& self, py::handle q) {
+            const py::array_t<double> J = jacobianOf(self, q);
+            kinematics::Jacobian plain{static_cast<std::size_t>(J.shape(1)), {J.data(), J.data() + J.size()}};
+            return kinematics::manipulability(plain, 0.25).measure;
+          },
+          py::arg("joints") = py::none(), "Product of the Jacobian's singular values, lengths divided by 0.25 m.")
+      .def(
+          "ik",
+          [](Robot& self, py::handle pose, py::handle start) {
+            return self.inverse().solve(poseOf(pose), self.variables(start));
+          },
+          py::arg("pose"), py::arg("start") = py::none(),
+          "The solution for the tool at X_BT nearest to `start` (None: at rest). 'solved' whenever one within limits "
+          "exists.")
       .def("ik_all", &allSolutions, py::arg("pose"), py::arg("start") = py::none(),
-           "All solutions, nearest to `start` first, those beyond limits too; of a robot with more than six joints a sample.")
+           "All solutions, nearest to `start` first, those beyond limits too; of a robot with more than six joints a "
+           "sample.")
       .def("ik_batch", &inverseOfPoses, py::arg("poses"), py::arg("start") = py::none(),
            "One solution for each pose of shape (n, 7), nearest to the one before. Arrays: status, joints (n, dof), "
            "position_error, orientation_error, singular.");
@@ -241,30 +258,43 @@ void bindKinematics(py::class_<Robot>& robot) {
 void bindRobots(py::module_& module) {
   bindSolutions(module);
   py::class_<Robot> robot(module, "Robot",
-      "A robot's kinematics: joints in radians or metres, one number for each joint that moves (dof); poses in its root link.");
-  robot.def_static("load", &loadRobot, py::arg("what"), py::arg("tip") = py::none(),
-                  "From URDF, xacro, SDF, robot.toml or 'library:NAME'. `tip`: the link whose pose is asked for (None: the "
-                  "likeliest one).")
+                          "A robot's kinematics: joints in radians or metres, one number for each joint that moves "
+                          "(dof); poses in its root link.");
+  robot
+      .def_static(
+          "load", &loadRobot, py::arg("what"), py::arg("tip") = py::none(),
+          "From URDF, xacro, SDF, robot.toml or 'library:NAME'. `tip`: the link whose pose is asked for (None: the "
+          "likeliest one).")
       .def_static("library", &libraryNames, "Names for 'library:NAME'.")
       .def_property_readonly("name", [](const Robot& self) { return self.model().name; })
       .def_property_readonly("dof", [](const Robot& self) { return self.model().dof(); })
-      .def_property_readonly("tip", [](const Robot& self) { return self.model().links[static_cast<std::size_t>(self.tip())].name; })
+      .def_property_readonly(
+          "tip", [](const Robot& self) { return self.model().links[static_cast<std::size_t>(self.tip())].name; })
       .def_property_readonly("joint_names", &jointNames)
-      .def_property_readonly("link_names", [](const Robot& self) {
-        std::vector<std::string> names;
-        for (const auto& link : self.model().links) names.push_back(link.name);
-        return names;
-      })
-      .def_property_readonly("lower", [](const Robot& self) { return perJoint(self, &kinematics::Joint::lower); }, "Shape (dof,), rad or m.")
-      .def_property_readonly("upper", [](const Robot& self) { return perJoint(self, &kinematics::Joint::upper); }, "Shape (dof,), rad or m.")
-      .def_property_readonly("velocity", [](const Robot& self) { return perJoint(self, &kinematics::Joint::velocity); },
-                             "Shape (dof,), rad/s or m/s; 0 where the file does not say.")
-      .def_property_readonly("rest", [](const Robot& self) { return arrayOf(kinematics::restPositions(self.model())); },
-                             "Home, else zero, moved into the limits: shape (dof,).")
-      .def_property_readonly("inverse_model", [](Robot& self) { return self.inverse().name(); }, "The class that was recognised.")
+      .def_property_readonly("link_names",
+                             [](const Robot& self) {
+                               std::vector<std::string> names;
+                               for (const auto& link : self.model().links) names.push_back(link.name);
+                               return names;
+                             })
+      .def_property_readonly(
+          "lower", [](const Robot& self) { return perJoint(self, &kinematics::Joint::lower); },
+          "Shape (dof,), rad or m.")
+      .def_property_readonly(
+          "upper", [](const Robot& self) { return perJoint(self, &kinematics::Joint::upper); },
+          "Shape (dof,), rad or m.")
+      .def_property_readonly(
+          "velocity", [](const Robot& self) { return perJoint(self, &kinematics::Joint::velocity); },
+          "Shape (dof,), rad/s or m/s; 0 where the file does not say.")
+      .def_property_readonly(
+          "rest", [](const Robot& self) { return arrayOf(kinematics::restPositions(self.model())); },
+          "Home, else zero, moved into the limits: shape (dof,).")
+      .def_property_readonly(
+          "inverse_model", [](Robot& self) { return self.inverse().name(); }, "The class that was recognised.")
       .def("__repr__", [](const Robot& self) {
-        return py::str("<Robot '{}': {} joints, tip '{}'>").format(self.model().name, self.model().dof(),
-            self.model().links[static_cast<std::size_t>(self.tip())].name);
+        return py::str("<Robot '{}': {} joints, tip '{}'>")
+            .format(self.model().name, self.model().dof(),
+                    self.model().links[static_cast<std::size_t>(self.tip())].name);
       });
   bindKinematics(robot);
 }

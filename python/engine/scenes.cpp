@@ -62,8 +62,8 @@ struct BatchRow {
   double point[3], point_other[3];
 };
 
-/// The part, and all that it is checked against, by pairs whose tag is the other's number: a batch copies the scene, and
-/// what addPairs() added has no index yet.
+/// The part, and all that it is checked against, by pairs whose tag is the other's number: a batch copies the scene,
+/// and what addPairs() added has no index yet.
 collision::Scene sceneOf(Scene& self, PartIndex part) {
   collision::Scene own;
   const PartIndex moved = own.addPart({0, 0}, self.scene.sharedCollider(part), self.scene.pose(part));
@@ -78,7 +78,10 @@ collision::Scene sceneOf(Scene& self, PartIndex part) {
 BatchRow rowOf(const collision::Scene& scene, const std::optional<collision::PairDistance>& found, double limit) {
   if (!found) return {limit, -1, false, {}, {}};
   const dvec3 &p = found->result.p_WA, &other = found->result.p_WB;
-  return {found->result.distance, static_cast<std::int32_t>(scene.tag(found->pair)), found->result.colliding, {p.x, p.y, p.z},
+  return {found->result.distance,
+          static_cast<std::int32_t>(scene.tag(found->pair)),
+          found->result.colliding,
+          {p.x, p.y, p.z},
           {other.x, other.y, other.z}};
 }
 
@@ -129,7 +132,8 @@ void bindResults(py::module_& module) {
       .def_readonly("share", &Sweep::share, "0 to 1: the motion is free up to here.")
       .def_readonly("stopped", &Sweep::stopped, "Something blocks the way.")
       .def_readonly("began_colliding", &Sweep::began_colliding, "It collided at the beginning.")
-      .def_property_readonly("pose", [](const Sweep& s) { return arrayOf(s.X_WP); }, "The part's pose there, shape (7,).")
+      .def_property_readonly(
+          "pose", [](const Sweep& s) { return arrayOf(s.X_WP); }, "The part's pose there, shape (7,).")
       .def_readonly("nearest", &Sweep::nearest, "What stops it, a PartDistance; None unless stopped.")
       .def("__repr__", [](const Sweep& s) {
         return py::str("<Sweep {:.4f} of the way{}>").format(s.share, s.stopped ? ", stopped" : "");
@@ -138,60 +142,90 @@ void bindResults(py::module_& module) {
 
 void bindQueries(py::class_<Scene>& scene) {
   scene
-      .def("nearest", [](Scene& self, double limit) -> std::optional<ScenePairDistance> {
-        const auto found = self.scene.nearest(limit);
-        if (!found) return std::nullopt;
-        return named(self.scene, *found);
-      }, py::arg("limit") = kNoLimit, "The nearest checked pair, if any is nearer than `limit` (m); colliding ones first.")
-      .def("contacts", [](Scene& self, double margin) {
-        std::vector<collision::PairDistance> found;
-        {
-          const py::gil_scoped_release unlocked;
-          self.scene.pairsWithin(margin, found);
-        }
-        std::vector<ScenePairDistance> pairs;
-        for (const auto& one : found) pairs.push_back(named(self.scene, one));
-        return pairs;
-      }, py::arg("margin") = 1e-6, "All checked pairs nearer than `margin` (m), each with its exact distance, nearest first.")
-      .def("collides", [](Scene& self) { return self.scene.collides(); }, "Whether any checked pair collides.")
-      .def("distance", [](Scene& self, std::size_t part, std::size_t other) {
-        const auto pair = self.scene.pairOf(self.part(part), self.part(other));
-        if (pair) return named(self.scene, {*pair, self.scene.distance(*pair)});
-        raise({.place = "pair", .found = "these parts are not checked", .expected = "a pair of check()"});
-      }, py::arg("part"), py::arg("other"), "The exact distance of one checked pair.")
-      .def("distances", &distances, py::arg("part"), py::arg("poses"), py::arg("limit") = kNoLimit, py::arg("threads") = 0,
-           "The nearest pair of one part at many poses X_WP of shape (n, 7) or (n, 4, 4), on all cores. The scene stays as it "
-           "is.\n\nA structured array: distance (m; `limit` where nothing is nearer), other (part number, -1), colliding, "
+      .def(
+          "nearest",
+          [](Scene& self, double limit) -> std::optional<ScenePairDistance> {
+            const auto found = self.scene.nearest(limit);
+            if (!found) return std::nullopt;
+            return named(self.scene, *found);
+          },
+          py::arg("limit") = kNoLimit,
+          "The nearest checked pair, if any is nearer than `limit` (m); colliding ones first.")
+      .def(
+          "contacts",
+          [](Scene& self, double margin) {
+            std::vector<collision::PairDistance> found;
+            {
+              const py::gil_scoped_release unlocked;
+              self.scene.pairsWithin(margin, found);
+            }
+            std::vector<ScenePairDistance> pairs;
+            for (const auto& one : found) pairs.push_back(named(self.scene, one));
+            return pairs;
+          },
+          py::arg("margin") = 1e-6,
+          "All checked pairs nearer than `margin` (m), each with its exact distance, nearest first.")
+      .def(
+          "collides", [](Scene& self) { return self.scene.collides(); }, "Whether any checked pair collides.")
+      .def(
+          "distance",
+          [](Scene& self, std::size_t part, std::size_t other) {
+            const auto pair = self.scene.pairOf(self.part(part), self.part(other));
+            if (pair) return named(self.scene, {*pair, self.scene.distance(*pair)});
+            raise({.place = "pair", .found = "these parts are not checked", .expected = "a pair of check()"});
+          },
+          py::arg("part"), py::arg("other"), "The exact distance of one checked pair.")
+      .def("distances", &distances, py::arg("part"), py::arg("poses"), py::arg("limit") = kNoLimit,
+           py::arg("threads") = 0,
+           "The nearest pair of one part at many poses X_WP of shape (n, 7) or (n, 4, 4), on all cores. The scene "
+           "stays as it "
+           "is.\n\nA structured array: distance (m; `limit` where nothing is nearer), other (part number, -1), "
+           "colliding, "
            "point, point_other.")
       .def("sweep", &sweep, py::arg("part"), py::arg("pose"), py::arg("clearance") = 0.0,
-           "How far the part gets on the straight way (rotation about a fixed axis) to `pose`, keeping `clearance` (m) from "
-           "what it is checked against. Nothing is skipped, however thin. The scene stays as it is: move() the part there.");
+           "How far the part gets on the straight way (rotation about a fixed axis) to `pose`, keeping `clearance` (m) "
+           "from "
+           "what it is checked against. Nothing is skipped, however thin. The scene stays as it is: move() the part "
+           "there.");
 }
 
 }  // namespace
 
 void bindScenes(py::module_& module) {
   bindResults(module);
-  py::class_<Scene> scene(module, "Scene",
+  py::class_<Scene> scene(
+      module, "Scene",
       "Meshes placed in the world W, and which of them are checked against which. Use one scene in one thread.");
   scene.def(py::init<>())
-      .def("add", [](Scene& self, const Mesh& mesh, py::handle pose) {
-        const PartIndex part = self.scene.addPart({self.present.size() + 1, 0}, mesh.collider, poseOf(pose));
-        if (part >= self.present.size()) self.present.resize(part + 1, false);
-        self.present[part] = true;
-        return part;
-      }, py::arg("mesh"), py::arg("pose") = py::none(), "Adds a mesh at X_WP; returns the part's number.")
-      .def("remove", [](Scene& self, std::size_t part) {
-        self.scene.removePart(self.part(part));
-        self.present[part] = false;
-      }, py::arg("part"), "Removes a part and its pairs.")
-      .def("check", [](Scene& self, const std::vector<std::size_t>& parts, const std::vector<std::size_t>& others) {
-        self.scene.addPairs(self.parts(parts), self.parts(others));
-      }, py::arg("parts"), py::arg("others"), "Each of `parts` is checked against each of `others`, but not itself.")
-      .def("move", [](Scene& self, std::size_t part, py::handle pose) { self.scene.setPose(self.part(part), poseOf(pose)); },
-           py::arg("part"), py::arg("pose"), "Places a part at X_WP.")
-      .def("pose", [](const Scene& self, std::size_t part) { return arrayOf(self.scene.pose(self.part(part))); },
-           py::arg("part"), "X_WP, shape (7,).")
+      .def(
+          "add",
+          [](Scene& self, const Mesh& mesh, py::handle pose) {
+            const PartIndex part = self.scene.addPart({self.present.size() + 1, 0}, mesh.collider, poseOf(pose));
+            if (part >= self.present.size()) self.present.resize(part + 1, false);
+            self.present[part] = true;
+            return part;
+          },
+          py::arg("mesh"), py::arg("pose") = py::none(), "Adds a mesh at X_WP; returns the part's number.")
+      .def(
+          "remove",
+          [](Scene& self, std::size_t part) {
+            self.scene.removePart(self.part(part));
+            self.present[part] = false;
+          },
+          py::arg("part"), "Removes a part and its pairs.")
+      .def(
+          "check",
+          [](Scene& self, const std::vector<std::size_t>& parts, const std::vector<std::size_t>& others) {
+            self.scene.addPairs(self.parts(parts), self.parts(others));
+          },
+          py::arg("parts"), py::arg("others"), "Each of `parts` is checked against each of `others`, but not itself.")
+      .def(
+          "move",
+          [](Scene& self, std::size_t part, py::handle pose) { self.scene.setPose(self.part(part), poseOf(pose)); },
+          py::arg("part"), py::arg("pose"), "Places a part at X_WP.")
+      .def(
+          "pose", [](const Scene& self, std::size_t part) { return arrayOf(self.scene.pose(self.part(part))); },
+          py::arg("part"), "X_WP, shape (7,).")
       .def("__len__", [](const Scene& self) { return std::count(self.present.begin(), self.present.end(), true); })
       .def("__repr__", [](const Scene& self) {
         return py::str("<Scene of {} parts>").format(std::count(self.present.begin(), self.present.end(), true));

@@ -74,7 +74,9 @@ haptic::HandPath pathOfArray(py::handle hand) {
     const py::array_t<double> pose(7, row + 1);
     const bool later = samples.empty() || row[0] >= samples.back().t;
     if (!std::isfinite(row[0]) || !later || !(row[8] >= 0.0 && row[8] < 256.0))
-      raise({.place = Text("hand, row %1", i), .found = "a time that decreases, or a button out of range", .expected = "times that do not decrease, buttons from 0 to 255"});
+      raise({.place = Text("hand, row %1", i),
+             .found = "a time that decreases, or a button out of range",
+             .expected = "times that do not decrease, buttons from 0 to 255"});
     samples.push_back({row[0], poseOf(pose), static_cast<std::uint32_t>(row[8])});
   }
   return haptic::HandPath(std::move(samples));
@@ -108,12 +110,14 @@ SessionOptions optionsOf(const Workcell& cell, const std::string& entity, const 
 
 double within(double value, double low, double high, const char* what) {
   if (std::isfinite(value) && value >= low && value <= high) return value;
-  raise({.place = Text::plain(what), .found = Text::plain(std::to_string(value)), .expected = Text("%1 to %2", std::to_string(low), std::to_string(high))});
+  raise({.place = Text::plain(what),
+         .found = Text::plain(std::to_string(value)),
+         .expected = Text("%1 to %2", std::to_string(low), std::to_string(high))});
 }
 
-py::object runSession(const Workcell& cell, const std::string& entity, const py::object& hand, std::optional<double> duration,
-                      double rate, double latency, const std::vector<std::string>& settings, const std::string& device,
-                      const py::object& progress) {
+py::object runSession(const Workcell& cell, const std::string& entity, const py::object& hand,
+                      std::optional<double> duration, double rate, double latency,
+                      const std::vector<std::string>& settings, const std::string& device, const py::object& progress) {
   SessionOptions options = optionsOf(cell, entity, settings, device);
   options.configuration.manipulation.rate_hz = within(rate, 10.0, 1000.0, "rate_manipulation");
   options.latency_s = within(latency, 0.0, 1.0, "latency");
@@ -122,9 +126,9 @@ py::object runSession(const Workcell& cell, const std::string& entity, const py:
   if (live) {
     if (!duration) raise({.place = "duration", .found = "none", .expected = "seconds, for a hand that is a function"});
     options.live_hand = manipulation::LiveHand{*duration, [&](double t, const haptic::HapticState& felt) {
-      const py::gil_scoped_acquire locked;
-      return sampleOf(t, hand(t, Felt{felt}));
-    }};
+                                                 const py::gil_scoped_acquire locked;
+                                                 return sampleOf(t, hand(t, Felt{felt}));
+                                               }};
   } else {
     options.hand = pathOfArray(hand);
   }
@@ -150,17 +154,28 @@ py::object runSession(const Workcell& cell, const std::string& entity, const py:
 }
 
 void bindFelt(py::module_& module) {
-  py::class_<Felt>(module, "Felt", "What a hand feels: the force loop's state of one tick. Device frame: x right, y away from the user, z up.")
-      .def_property_readonly("pose", [](const Felt& f) { return arrayOf(f.state.X_DS); }, "X_DS of the stylus, shape (7,).")
-      .def_property_readonly("proxy", [](const Felt& f) { return arrayOf(f.state.X_DP); }, "X_DP: where the stylus would be if it obeyed every contact.")
-      .def_property_readonly("velocity", [](const Felt& f) { return arrayOf(f.state.v_DS); }, "m/s, shape (3,).")
-      .def_property_readonly("force", [](const Felt& f) { return arrayOf(f.state.force_D); }, "Commanded force on the hand, N, shape (3,).")
-      .def_property_readonly("torque", [](const Felt& f) { return arrayOf(f.state.torque_D); }, "N m, shape (3,).")
-      .def_property_readonly("buttons", [](const Felt& f) { return f.state.buttons; }, "Bit i is set while button i is pressed.")
+  py::class_<Felt>(
+      module, "Felt",
+      "What a hand feels: the force loop's state of one tick. Device frame: x right, y away from the user, z up.")
+      .def_property_readonly(
+          "pose", [](const Felt& f) { return arrayOf(f.state.X_DS); }, "X_DS of the stylus, shape (7,).")
+      .def_property_readonly(
+          "proxy", [](const Felt& f) { return arrayOf(f.state.X_DP); },
+          "X_DP: where the stylus would be if it obeyed every contact.")
+      .def_property_readonly(
+          "velocity", [](const Felt& f) { return arrayOf(f.state.v_DS); }, "m/s, shape (3,).")
+      .def_property_readonly(
+          "force", [](const Felt& f) { return arrayOf(f.state.force_D); },
+          "Commanded force on the hand, N, shape (3,).")
+      .def_property_readonly(
+          "torque", [](const Felt& f) { return arrayOf(f.state.torque_D); }, "N m, shape (3,).")
+      .def_property_readonly(
+          "buttons", [](const Felt& f) { return f.state.buttons; }, "Bit i is set while button i is pressed.")
       .def_property_readonly("tick", [](const Felt& f) { return f.state.tick; })
       .def_property_readonly("forces_on", [](const Felt& f) { return f.state.forces_on; })
       .def("__repr__", [](const Felt& f) {
-        return py::str("<Felt {:.2f} N at {:.4f}, {:.4f}, {:.4f} m>").format(glm::length(f.state.force_D), f.state.X_DS.p.x, f.state.X_DS.p.y, f.state.X_DS.p.z);
+        return py::str("<Felt {:.2f} N at {:.4f}, {:.4f}, {:.4f} m>")
+            .format(glm::length(f.state.force_D), f.state.X_DS.p.x, f.state.X_DS.p.y, f.state.X_DS.p.z);
       });
 }
 
@@ -173,14 +188,20 @@ py::object feltObject(const haptic::HapticState& state) {
 void bindSessions(py::module_& module) {
   bindFelt(module);
   auto cell = py::type::of<Workcell>();
-  cell.attr("session") = py::cpp_function(&runSession, py::name("session"), py::is_method(cell), py::arg("entity"), py::arg("hand"),
+  cell.attr("session") = py::cpp_function(
+      &runSession, py::name("session"), py::is_method(cell), py::arg("entity"), py::arg("hand"),
       py::arg("duration") = py::none(), py::arg("rate_manipulation") = 250.0, py::arg("latency") = 0.0,
       py::arg("set") = std::vector<std::string>(), py::arg("device") = "", py::arg("progress") = py::none(),
-      "A session in virtual time: a hand on a simulated stylus moves `entity`. The same input gives the same result.\n\n"
-      "`hand`: an array of shape (n, 9) with t (s), x, y, z, qw, qx, qy, qz, button (device frame, metres), or a function "
-      "hand(t, felt) that is called each millisecond for `duration` seconds and returns the wanted pose of the hand, or "
-      "(pose, buttons). `rate_manipulation` in Hz, `latency` in s; `set` as of the command session. Returns what the command "
-      "session does, and `.trace`: a structured array, one row a millisecond, of t, position, quaternion, proxy, force (N), "
+      "A session in virtual time: a hand on a simulated stylus moves `entity`. The same input gives the same "
+      "result.\n\n"
+      "`hand`: an array of shape (n, 9) with t (s), x, y, z, qw, qx, qy, qz, button (device frame, metres), or a "
+      "function "
+      "hand(t, felt) that is called each millisecond for `duration` seconds and returns the wanted pose of the hand, "
+      "or "
+      "(pose, buttons). `rate_manipulation` in Hz, `latency` in s; `set` as of the command session. Returns what the "
+      "command "
+      "session does, and `.trace`: a structured array, one row a millisecond, of t, position, quaternion, proxy, force "
+      "(N), "
       "torque (N m), moved, moved_quaternion, buttons, contact.");
 }
 

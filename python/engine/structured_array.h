@@ -10,7 +10,8 @@
 
 namespace hapticell::python {
 
-/// A field of a structured array: its name, numpy's word for its type ("f8", "?", "(3,)f8") and its place in the struct.
+/// A field of a structured array: its name, numpy's word for its type ("f8", "?", "(3,)f8") and its place in the
+/// struct.
 struct ArrayField {
   const char* name;
   const char* type;
