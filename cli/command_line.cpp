@@ -5,13 +5,17 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <CLI/Version.hpp>
+#include <algorithm>
 #include <clocale>
 #include <exception>
+#include <iostream>
+#include <sstream>
 
 #include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
 #include "cli/files/file_commands.h"
+#include "cli/grammar.h"
 #include "cli/mannequin/mannequin_command.h"
 #include "cli/plan/plan_command.h"
 #include "cli/robot/robot_commands.h"
@@ -27,48 +31,31 @@ namespace hapticell::cli {
 
 namespace {
 
-/// Runs what was chosen. Foreign libraries may throw (a disk full, memory gone); a user then reads one sentence.
-int run(const Action& chosen, const std::string& json_file) {
-  ResultWriter writer(json_file);
-  try {
-    return static_cast<int>(chosen(writer));
-  } catch (const std::bad_alloc&) {
-    report({.found = "not enough memory", .fix = "Use a smaller or coarser model."});
-  } catch (const std::exception& exception) {
-    report({.found = Text("unexpected error: %1", exception.what()), .fix = "This is a bug. Please report it."});
-  }
-  return static_cast<int>(ExitStatus::kBadInput);
-}
+/// The commands of hapticell-cli with their options, and what was chosen of them.
+class CommandLine {
+ public:
+  CommandLine();
+  CLI::App& app() { return app_; }
+  /// Reads the words (without the program's name), runs what they choose and returns the exit status.
+  int run(std::vector<std::string> words);
 
-/// CLI11 would only say that a command is missing, not which word it did not know.
-int reportUnknownCommand(const CLI::App& app, const std::string& word) {
-  const std::string known =
-      listed(app.get_subcommands({}), [](const CLI::App* command) { return command->get_name(); });
-  report({.found = Text("no command is named '%1'", word), .expected = Text("one of %1", known)});
-  return static_cast<int>(ExitStatus::kBadInput);
-}
+ private:
+  int runChosen() const;
 
-/// The command whose own command is missing or not known: the last of those that were given.
-const CLI::App* undecided(const CLI::App& app) {
-  const CLI::App* last = &app;
-  while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
-  return last->get_subcommands([](const CLI::App*) { return true; }).empty() ? nullptr : last;
-}
+  CLI::App app_{"HaptiCell without a window: inspect, measure, solve and run sessions.", "hapticell-cli"};
+  std::string json_file_;
+  Action chosen_;
+};
 
-}  // namespace
-
-int runCommandLine(int argc, char** argv) {
-  std::setlocale(LC_ALL, "C");
-  CLI::App app("HaptiCell without a window: inspect, measure, solve and run sessions.", "hapticell-cli");
-  app.set_version_flag("--version", [] { return config::versionText("hapticell-cli", {{"CLI11", CLI11_VERSION}}); });
-  app.require_subcommand(1);
-  app.fallthrough();
-  std::string json_file;
-  CLI::Option* const json = app.add_option(
-      "--json", json_file, "Write the result to this file instead of standard output; -: standard output");
+CommandLine::CommandLine() {
+  app_.set_version_flag("--version", [] { return config::versionText("hapticell-cli", {{"CLI11", CLI11_VERSION}}); });
+  app_.require_subcommand(1);
+  app_.fallthrough();
+  CLI::Option* const json = app_.add_option(
+      "--json", json_file_, "Write the result to this file instead of standard output; -: standard output");
   json->type_name(std::string(wordsOf(ValueKind::kJson).word));
-  Action chosen;
-  Subcommand words(app);
+  Subcommand words(app_);
+  Action& chosen = chosen_;
   // One line a command; each comes with the file that defines it.
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
@@ -89,22 +76,88 @@ int runCommandLine(int argc, char** argv) {
   addRos2Command(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);
+}
 
-  // No command of its own: its words may be any of another command's, and it is for shells.
-  if (argc > 1 && std::string_view(argv[1]) == "completion") return runCompletion(app, {argv + 2, argv + argc});
+/// CLI11 would only say that a command is missing, not which word it did not know.
+int reportUnknownCommand(const CLI::App& app, const std::string& word) {
+  const std::string known =
+      listed(app.get_subcommands({}), [](const CLI::App* command) { return command->get_name(); });
+  report({.found = Text("no command is named '%1'", word), .expected = Text("one of %1", known)});
+  return static_cast<int>(ExitStatus::kBadInput);
+}
+
+/// The command whose own command is missing or not known: the last of those that were given.
+const CLI::App* undecided(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
+  return last->get_subcommands([](const CLI::App*) { return true; }).empty() ? nullptr : last;
+}
+
+/// Runs what was chosen. Foreign libraries may throw (a disk full, memory gone); a user then reads one sentence.
+int CommandLine::runChosen() const {
+  ResultWriter writer(json_file_);
   try {
-    app.parse(argc, argv);
+    return static_cast<int>(chosen_(writer));
+  } catch (const Stopped&) {
+    report({.found = "stopped before its end", .fix = "Start it again."});
+  } catch (const std::bad_alloc&) {
+    report({.found = "not enough memory", .fix = "Use a smaller or coarser model."});
+  } catch (const std::exception& exception) {
+    report({.found = Text("unexpected error: %1", exception.what()), .fix = "This is a bug. Please report it."});
+  }
+  return static_cast<int>(ExitStatus::kBadInput);
+}
+
+/// Prints what CLI11 has to say: a help text, or what is wrong with the words.
+int sayWhatIsWrong(const CLI::App& app, const CLI::ParseError& problem) {
+  std::ostringstream text, wrong;
+  const int status = app.exit(problem, text, wrong);
+  if (commandListener() == nullptr) {
+    std::cout << text.str() << std::flush;
+    std::cerr << wrong.str() << std::flush;
+  } else if (status == 0) {
+    commandListener()->hearText(text.str());
+  } else {
+    report({.found = Text::plain(problem.what())});
+  }
+  return status == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
+}
+
+int CommandLine::run(std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // As CLI11 wants them.
+  try {
+    app_.parse(std::move(words));
   } catch (const CLI::ParseError& problem) {
-    const auto unread = app.remaining(true);
-    const CLI::App* const at = undecided(app);
+    const auto unread = app_.remaining(true);
+    const CLI::App* const at = undecided(app_);
     if (at != nullptr && !unread.empty()) return reportUnknownCommand(*at, unread.front());
-    return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
+    return sayWhatIsWrong(app_, problem);
   }
-  if (!chosen) {
-    report({.found = "the command needs a subcommand", .fix = "See hapticell-cli COMMAND --help."});
-    return static_cast<int>(ExitStatus::kBadInput);
+  if (chosen_) return runChosen();
+  report({.found = "the command needs a subcommand", .fix = "See hapticell-cli COMMAND --help."});
+  return static_cast<int>(ExitStatus::kBadInput);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");
+  CommandLine line;
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  // No command of its own: its words may be any of another command's, and it is for shells.
+  if (!words.empty() && words.front() == "completion") {
+    return runCompletion(line.app(), {words.begin() + 1, words.end()});
   }
-  return run(chosen, json_file);
+  return line.run(words);
+}
+
+int runCommand(const std::vector<std::string>& words, CommandListener& listener) {
+  const ListenerOfThread listening(listener);
+  return CommandLine().run(words);
+}
+
+nlohmann::ordered_json commandGrammar() {
+  return grammarOf(CommandLine().app());
 }
 
 }  // namespace hapticell::cli

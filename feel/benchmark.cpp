@@ -54,12 +54,17 @@ std::string names(const std::vector<FigureJob>& jobs) {
   return text;
 }
 
+bool isStopped(const BenchmarkOptions& options) {
+  return options.stop != nullptr && *options.stop;
+}
+
 using Answers = std::vector<Expected<std::vector<Figure>>>;
 
 /// Does the jobs that may run beside each other, then those that must not.
 void runAll(const std::vector<FigureJob>& jobs, const BenchmarkOptions& options, Answers& answers) {
   std::mutex telling;
   const auto run = [&](std::size_t i) {
+    if (isStopped(options)) return;
     if (options.progress) {
       const std::lock_guard<std::mutex> lock(telling);
       options.progress(jobs[i].ids.front() + " " + jobs[i].scene);
@@ -96,6 +101,7 @@ Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options) {
   }
   Answers answers(jobs.size(), Expected<std::vector<Figure>>(std::vector<Figure>{}));
   runAll(jobs, options, answers);
+  if (isStopped(options)) return makeError({.found = "stopped before its end", .fix = "Start it again."});
   std::vector<Figure> figures;
   for (const auto& answer : answers) {
     HAPTICELL_TRY(answer);

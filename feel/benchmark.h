@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,10 +18,11 @@ struct BenchmarkOptions {
   bool timing = false;           ///< Also what is measured by the wall clock: M7, M11.
   std::vector<Part> parts = {};  ///< Felt besides, for M13: steps are reported, energy and penetration judged.
   std::function<void(const std::string& what)> progress = {};  ///< Called by one thread at a time.
+  const std::atomic<bool>* stop = nullptr;  ///< Once true, no further measurement begins. Null: never.
 };
 
 /// Runs the benchmark of docs/dev/feel.md, in virtual time but for `timing`; the same build gives the same figures.
-/// Runs on two threads. Errors: `only` names nothing, a shipped file is missing.
+/// Runs on two threads. Errors: `only` names nothing, a shipped file is missing, stopped.
 Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options);
 
 }  // namespace hapticell::feel

@@ -9111,6 +9111,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Démarrez hapticell-haptic-server.</translation>
     </message>
     <message>
+        <source>Start it again.</source>
+        <translation>Relancez-la.</translation>
+    </message>
+    <message>
         <source>Start it on a desktop or with xvfb-run.</source>
         <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
@@ -11309,6 +11313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a driver of HaptiCell</source>
         <translation>un pilote de HaptiCell</translation>
+    </message>
+    <message>
+        <source>a duration out of range</source>
+        <translation>une durée hors limites</translation>
     </message>
     <message>
         <source>a face with fewer than three vertices</source>
@@ -13809,6 +13817,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>duplicate triangles, kept once in a workcell</source>
         <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>durée</translation>
     </message>
     <message>
         <source>dwell</source>
@@ -16443,6 +16455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes</translation>
     </message>
     <message>
+        <source>seconds above 0, 24 h at most</source>
+        <translation>des secondes au-dessus de 0, 24 h au plus</translation>
+    </message>
+    <message>
         <source>seconds and nanoseconds: {sec, nanosec} or {secs, nsecs}</source>
         <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
     </message>
@@ -16645,6 +16661,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>stopped before all variants were evaluated; the rows so far are kept</source>
         <translation>arrêt avant l'évaluation de toutes les variantes ; les lignes déjà produites sont gardées</translation>
+    </message>
+    <message>
+        <source>stopped before its end</source>
+        <translation>arrêté avant la fin</translation>
     </message>
     <message>
         <source>study submit</source>

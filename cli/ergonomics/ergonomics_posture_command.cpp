@@ -12,6 +12,7 @@
 #include "cli/ergonomics/ergonomics_commands.h"
 #include "cli/ergonomics/ergonomics_input.h"
 #include "cli/ergonomics/ergonomics_posture_input.h"
+#include "cli/kit/command_listener.h"
 #include "cli/kit/kept_result.h"
 #include "manipulation/checks/mannequin_workplace.h"
 #include "manipulation/checks/workplace_check.h"
@@ -218,8 +219,9 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
   if (!subject) return failed(subject.error());
   const auto question = questionOf(options, *subject);
   if (!question) return failed(question.error());
-  const std::atomic<bool> cancel{false};
-  const auto map = manipulation::searchWorkplace(*question, {}, cancel);
+  const std::atomic<bool> never{false};
+  const CommandListener* const listener = commandListener();
+  const auto map = manipulation::searchWorkplace(*question, {}, listener != nullptr ? listener->stopAsked() : never);
   if (!map) return failed(map.error());
   ordered_json result = workplaceReport(*map);
   result["moves"] = ordered_json::array();

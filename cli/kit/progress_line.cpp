@@ -31,8 +31,10 @@ void ProgressLine::run() {
 }
 
 void ProgressLine::show() {
+  if (listener_ != nullptr && listener_->stopAsked()) monitor_.cancel();
   const workcell::ImportProgress progress = monitor_.progress();
   if (progress.stage.empty()) return;
+  if (listener_ != nullptr) return listener_->hearProgress(progress.share, english(progress.stage));
   const int percent = static_cast<int>(100.0 * progress.share);
   if (terminal_) {
     std::fprintf(stderr, "\r\033[K%3d %%  %s", percent, plainText(english(progress.stage), 60).c_str());

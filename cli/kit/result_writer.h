@@ -49,7 +49,10 @@ nlohmann::ordered_json finiteOrNull(double value);
 /// Six significant digits, for a sentence.
 std::string shortNumber(double value);
 
-/// Prints "hapticell-cli: SENTENCE" on standard error.
+/// Prints a text that is no JSON document on standard output, as it is; to a CommandListener if there is one.
+Expected<void> printText(const std::string& text);
+
+/// Prints "hapticell-cli: SENTENCE" on standard error; a CommandListener gets the error itself.
 void report(const Error& error);
 void warn(const Text& sentence);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/command_listener.h"
 #include "cli/kit/result_writer.h"
 #include "cli/kit/robot_options.h"
 #include "cli/kit/timing.h"
@@ -142,6 +143,7 @@ Expected<Answer> solve(const InverseOptions& options) {
   std::vector<double> previous = *start;
   const auto all_begin = Timing::Clock::now();
   for (const Pose& X_BT : *poses) {
+    stopWhereAsked();
     const auto begin = Timing::Clock::now();
     const kinematics::InverseSolution solution = (*inverse)->solve(X_BT, previous);
     timing.add(begin);

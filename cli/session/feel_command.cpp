@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/kit/command_listener.h"
 #include "cli/kit/result_writer.h"
 #include "cli/session/session_commands.h"
 #include "feel/benchmark.h"
@@ -49,7 +50,12 @@ ExitStatus runFeel(feel::BenchmarkOptions options, const std::vector<std::string
     report(read.error());
     return ExitStatus::kBadInput;
   }
-  options.progress = [](const std::string& what) { std::fprintf(stderr, "feel: %s\n", what.c_str()); };
+  CommandListener* const listener = commandListener();  // Of this thread; others tell the progress.
+  if (listener != nullptr) options.stop = &listener->stopAsked();
+  options.progress = [listener](const std::string& what) {
+    if (listener != nullptr) return listener->hearProgress(-1.0, what);
+    std::fprintf(stderr, "feel: %s\n", what.c_str());
+  };
   const auto figures = feel::runBenchmark(options);
   if (!figures) {
     report(figures.error());

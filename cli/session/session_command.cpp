@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/command_listener.h"
 #include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
 #include "cli/session/session_recording.h"
+#include "cli/session/session_report.h"
 #include "cli/session/session_settings.h"
 #include "exchange/recordings/recording_writer.h"
 #include "geometry/system/plain_number.h"
@@ -59,19 +61,6 @@ Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
   if (const auto fine = within("--rate-manipulation", rate, 10.0, 1000.0); !fine) return fine;
   if (const auto fine = within("--rate-gui", options.rate_gui_hz, 1.0, 1000.0); !fine) return fine;
   return within("--latency", words.latency_ms, 0.0, 1000.0);
-}
-
-Expected<void> readDevice(const std::string& name, SessionOptions& options) {
-  const auto file = config::findShippedFile("devices/" + name + ".toml");
-  if (!file) {
-    return makeError({.place = "--device",
-                      .found = Text("no simulated device is named '%1'", name),
-                      .expected = "phantom_desktop, touch, touch_x, premium or premium_6dof"});
-  }
-  const auto profile = config::readDeviceProfile(*file);
-  HAPTICELL_TRY(profile);
-  options.device = *profile;
-  return {};
 }
 
 /// By time (10 ms where nothing is said) or by distance.
@@ -168,7 +157,9 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   HAPTICELL_TRY(readRates(words, options));
   HAPTICELL_TRY(readRecording(words, options));
   const std::string device = words.device.value_or(options.configuration.haptic.device);
-  HAPTICELL_TRY(readDevice(device, options));
+  const auto profile = simulatedDevice(device);
+  HAPTICELL_TRY(profile);
+  options.device = *profile;
   warnAboutHand(words, options);
   return options;
 }
@@ -187,98 +178,6 @@ void appendRow(std::string& text, const manipulation::TraceRow& row) {
                 row.force_D.y, row.force_D.z, row.buttons, row.contact ? 1 : 0, M.p.x, M.p.y, M.p.z, M.q.w, M.q.x,
                 M.q.y, M.q.z, row.torque_D.x, row.torque_D.y, row.torque_D.z);
   text += line;
-}
-
-ordered_json poseJson(const Pose& pose) {
-  return {{"position", toJson(pose.p)}, {"quaternion", {pose.q.w, pose.q.x, pose.q.y, pose.q.z}}};
-}
-
-ordered_json contactsJson(const SessionReport& report, const SessionOptions& options) {
-  const auto nameOf = [&](workcell::EntityId id) {
-    for (const workcell::Entity& entity : options.entities) {
-      if (entity.id == id) return entity.name;
-    }
-    return std::string();
-  };
-  ordered_json contacts = ordered_json::array();
-  for (const manipulation::ContactInterval& event : report.contacts) {
-    contacts.push_back({{"entities", {nameOf(event.entity), nameOf(event.other)}},
-                        {"parts", {event.moved_part, event.other_part}},
-                        {"time_in", event.time_in},
-                        {"time_out", event.time_out},
-                        {"max_force", event.max_force}});
-  }
-  return contacts;
-}
-
-const kinematics::RobotModel* modelOf(const SessionOptions& options) {
-  for (const workcell::Entity& entity : options.entities) {
-    if (entity.name == options.entity) return entity.robot().get();
-  }
-  return nullptr;
-}
-
-ordered_json limitsJson(const SessionReport& report, const kinematics::RobotModel* model) {
-  ordered_json limits = ordered_json::array();
-  for (const manipulation::LimitInterval& event : report.limits) {
-    ordered_json json = {{"kind", toString(event.kind)}, {"text", event.text}};
-    if (model && event.joint >= 0) json["joint"] = model->joints[static_cast<std::size_t>(event.joint)].name;
-    json["time_in"] = event.time_in;
-    json["time_out"] = event.time_out;
-    limits.push_back(json);
-  }
-  return limits;
-}
-
-ordered_json jointsJson(const SessionReport& report, const kinematics::RobotModel* model) {
-  ordered_json joints = ordered_json::array();
-  for (const manipulation::JointUse& use : report.joints) {
-    if (!model) break;
-    joints.push_back({{"name", model->joints[static_cast<std::size_t>(use.joint)].name},
-                      {"lowest", use.lowest},
-                      {"highest", use.highest},
-                      {"max_speed", use.max_speed},
-                      {"speed_limit", use.greatest_speed}});
-  }
-  return joints;
-}
-
-ordered_json resultOf(const SessionReport& report, const SessionOptions& options) {
-  ordered_json axes = ordered_json::array();
-  for (const auto& [name, at] : report.end.axes) {
-    axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
-  }
-  return {
-      {"entity", options.entity},
-      {"assumptions", options.hand.assumptions()},
-      {"duration_s", report.duration_s},
-      {"rates",
-       {{"haptic_hz", report.rate_haptic_hz},
-        {"manipulation_hz", report.rate_manipulation_hz},
-        {"gui_hz", report.rate_gui_hz}}},
-      {"ticks", report.ticks},
-      {"ticks_missed", report.ticks_missed},
-      {"latency", {{"p50_ms", report.delays.latency_p50_ms}, {"p99_ms", report.delays.latency_p99_ms}}},
-      {"force", {{"max_n", report.forces.force_max_n}, {"max_step_n_per_ms", report.forces.force_max_step_n_per_ms}}},
-      {"penetration",
-       {{"max_m", report.forces.penetration_max_m}, {"blocked_max_m", report.forces.penetration_blocked_m}}},
-      {"energy", {{"min_j", report.forces.energy_min_j}}},
-      {"contacts", contactsJson(report, options)},
-      {"limits", limitsJson(report, modelOf(options))},
-      {"joints", jointsJson(report, modelOf(options))},
-      {"final_state",
-       {{"held", report.end.held},
-        {"pose", poseJson(report.end.configuration.X_WE)},
-        {"joints", report.end.configuration.joints},
-        {"axes", std::move(axes)},
-        {"moved_frame", poseJson(report.end.X_WM)},
-        {"touches", report.end.contacts},
-        {"limits", report.end.limits}}},
-      {"timing",
-       {{"machine_time_s", report.machine_time_s},
-        {"step_median_ms", report.delays.step_median_ms},
-        {"step_p99_ms", report.delays.step_p99_ms},
-        {"step_max_ms", report.delays.step_max_ms}}}};
 }
 
 Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptions& options,
@@ -307,8 +206,9 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   std::string rows = kTraceHeader;
   manipulation::TraceSink trace;
   exchange::Recording recording;
-  if (!words.trace.empty() || !words.mcap.empty()) {
+  if (commandListener() != nullptr || !words.trace.empty() || !words.mcap.empty()) {
     trace = [&](const manipulation::TraceRow& row) {
+      stopWhereAsked();
       if (!words.trace.empty()) appendRow(rows, row);
       if (!words.mcap.empty()) recording.stylus.push_back(stylusSampleOf(row));
     };
@@ -320,7 +220,7 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
     if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
   }
   if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
-  const ordered_json result = resultOf(*session, *options);
+  const ordered_json result = sessionJson(*session, *options);
   if (!words.mcap.empty()) {
     addSession(recording, *session, *options, result);
     if (const auto written = exchange::writeMcapRecording(recording, words.mcap); !written)

@@ -88,4 +88,12 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   return config::setValue(options.configuration, key, value);
 }
 
+Expected<config::DeviceProfile> simulatedDevice(const std::string& name) {
+  const auto file = config::findShippedFile("devices/" + name + ".toml");
+  if (file) return config::readDeviceProfile(*file);
+  return makeError({.place = "--device",
+                    .found = Text("no simulated device is named '%1'", name),
+                    .expected = "phantom_desktop, touch, touch_x, premium or premium_6dof"});
+}
+
 }  // namespace hapticell::cli

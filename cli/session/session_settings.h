@@ -13,4 +13,8 @@ namespace hapticell::cli {
 /// ones; `options` are then unchanged.
 Expected<void> applySessionSetting(const std::string& setting, manipulation::SessionOptions& options);
 
+/// The profile of a simulated device by its name: phantom_desktop, touch, touch_x, premium, premium_6dof. Errors:
+/// another name.
+Expected<config::DeviceProfile> simulatedDevice(const std::string& name);
+
 }  // namespace hapticell::cli

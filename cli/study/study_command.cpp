@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -114,7 +113,7 @@ Expected<ordered_json> exportStudy(const StudyOptions& options, bool& printed) {
   const auto rows = store->rowCount();
   HAPTICELL_TRY(rows);
   if (output.empty()) {
-    std::cout << *text << std::flush;
+    HAPTICELL_TRY(printText(*text));
     printed = true;
     return ordered_json();
   }
@@ -149,10 +148,10 @@ Expected<ordered_json> openVariant(const StudyOptions& options) {
   const auto lock = workcell::DocumentLock::takeForWriting(options.output);
   HAPTICELL_TRY(lock);
   HAPTICELL_TRY(workcell::saveDocument(*document, options.output));
-  ordered_json json = rowJson(store->head(), **row);
-  json["workcell"] = options.output;
-  json["same_as_row"] = same;
-  return json;
+  ordered_json opened = rowJson(store->head(), **row);
+  opened["workcell"] = options.output;
+  opened["same_as_row"] = same;
+  return opened;
 }
 
 Expected<ordered_json> mergeStudy(const StudyOptions& options) {

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/kit/command_listener.h"
+
 namespace hapticell::cli {
 
 namespace {
@@ -46,8 +48,12 @@ void StudyProgress::show(const studies::RunProgress& progress) {
   constexpr std::chrono::milliseconds kEvery{250};
   const auto now = std::chrono::steady_clock::now();
   const std::size_t tenths = progress.total > 0 ? 10 * progress.done / progress.total : 10;
-  if (terminal_ ? now - last_ < kEvery : tenths <= tenths_) return;
+  const bool by_time = terminal_ || listener_ != nullptr;
+  if (by_time ? now - last_ < kEvery : tenths <= tenths_) return;
   last_ = now;
+  const double share =
+      progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total) : 1.0;
+  if (listener_ != nullptr) return listener_->hearProgress(share, "variants");
   tenths_ = tenths;
   const double rate = progress.seconds > 0.0 ? static_cast<double>(progress.done) / progress.seconds : 0.0;
   const double left = rate > 0.0 ? static_cast<double>(progress.total - progress.done) / rate : 0.0;
@@ -57,19 +63,21 @@ void StudyProgress::show(const studies::RunProgress& progress) {
   shown_ = true;
 }
 
-StopSignal::StopSignal() {
+StopSignal::StopSignal() : listener_(commandListener()) {
+  if (listener_ != nullptr) return;
   stop_asked = false;
   std::signal(SIGINT, askToStop);
   std::signal(SIGTERM, askToStop);
 }
 
 StopSignal::~StopSignal() {
+  if (listener_ != nullptr) return;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
 
 const std::atomic<bool>& StopSignal::asked() const {
-  return stop_asked;
+  return listener_ != nullptr ? listener_->stopAsked() : stop_asked;
 }
 
 }  // namespace hapticell::cli

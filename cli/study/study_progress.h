@@ -4,12 +4,13 @@
 #include <atomic>
 #include <chrono>
 
+#include "cli/kit/command_listener.h"
 #include "studies/runner/study_run.h"
 
 namespace hapticell::cli {
 
-/// Shows on standard error how far a run is and how long it will take: one line that is written over on a terminal, else
-/// a line a tenth of the way. Calls come one at a time.
+/// Shows on standard error how far a run is and how long it will take: one line that is written over on a terminal,
+/// else a line a tenth of the way. Calls come one at a time.
 class StudyProgress {
  public:
   StudyProgress();
@@ -19,6 +20,7 @@ class StudyProgress {
   void show(const studies::RunProgress& progress);
 
  private:
+  CommandListener* const listener_ = commandListener();
   bool terminal_ = false, shown_ = false;
   std::size_t tenths_ = 0;
   std::chrono::steady_clock::time_point last_{};
@@ -27,7 +29,8 @@ class StudyProgress {
 /// "1 h 05 min", "12 s"
 std::string durationWords(double seconds);
 
-/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program.
+/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program. With
+/// a CommandListener, signals stay as they are and the listener is asked.
 class StopSignal {
  public:
   StopSignal();
@@ -35,6 +38,9 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
   const std::atomic<bool>& asked() const;
+
+ private:
+  CommandListener* const listener_;
 };
 
 }  // namespace hapticell::cli

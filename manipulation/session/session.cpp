@@ -31,6 +31,8 @@ constexpr double kLeastPenetrationPeriod = 0.010;
 /// s for a server to answer: it starts in well under one. Half: a busy machine fails; twice: slower to report that none
 /// is there.
 constexpr double kPatience = 5.0;
+/// s of a live hand: a day. Half: a shift and a half; twice: memory for a trace of nobody's use.
+constexpr double kLongestHand = 86400.0;
 
 double secondsSince(SteadyClock::time_point begin) {
   return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -223,30 +225,39 @@ class WatchedEngine {
   double measured_ = -1.0;
 };
 
+haptic::HandSample handAt(const SessionOptions& options, double t, const haptic::HapticState& felt) {
+  return options.live_hand ? options.live_hand->at(t, felt) : options.hand.at(t);
+}
+
 }  // namespace
 
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace) {
+  if (options.live_hand && !(options.live_hand->duration_s > 0.0 && options.live_hand->duration_s < kLongestHand)) {
+    return makeError(
+        {.place = "duration", .found = "a duration out of range", .expected = "seconds above 0, 24 h at most"});
+  }
   const SteadyClock::time_point begin = SteadyClock::now();
   haptic::VirtualClock clock;
   haptic::SimulatedDevice device(options.device);
   device.hand().setOptions(haptic::configuredHand(options.configuration));
   HAPTICELL_TRY(device.open());
-  device.place(options.hand.at(0.0).X_DH);
+  device.place(handAt(options, 0.0, {}).X_DH);
   haptic::ForceLoop loop(device, clock, haptic::configuredLoop(device, options.configuration));
   haptic::InMemoryLink link(loop, clock, haptic::describe(device), {.latency = options.latency_s});
   WatchedEngine engine(link, options);
   HAPTICELL_TRY(engine.prepare());
 
   const double period = loop.period();
+  const double duration = options.live_hand ? options.live_hand->duration_s : options.hand.duration();
   const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
   const double picture_period = 1.0 / std::clamp(options.rate_gui_hz, 1.0, 1000.0);
-  const auto ticks = static_cast<std::uint64_t>(std::ceil(options.hand.duration() / period - 1e-9));
+  const auto ticks = static_cast<std::uint64_t>(std::ceil(duration / period - 1e-9));
   std::uint64_t steps = 0, pictures = 0, adopted = 0;
   std::vector<double> latencies;
   Pose X_DSBefore = device.truePose();
   for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
     const double t = static_cast<double>(tick) * period;
-    const haptic::HandSample sample = options.hand.at(t);
+    const haptic::HandSample sample = handAt(options, t, loop.current());
     device.hand().hold(sample.X_DH, sample.buttons);
     link.step();
     const haptic::HapticState& state = loop.current();

@@ -11,6 +11,7 @@
 #include "config/device_profile.h"
 #include "geometry/system/error.h"
 #include "haptic/devices/hand_path.h"
+#include "haptic/protocol/messages.h"
 #include "manipulation/engine/manipulation_command.h"
 #include "manipulation/session/contact_tracker.h"
 #include "manipulation/session/exercise.h"
@@ -21,6 +22,13 @@
 
 namespace hapticell::manipulation {
 
+/// A hand that answers to what it feels, in place of a path. Virtual time only.
+struct LiveHand {
+  double duration_s = 0.0;  ///< Of the session.
+  /// The hand at `t` (s), asked once a tick in the session's thread, given what the force loop gave in the tick before.
+  std::function<haptic::HandSample(double t, const haptic::HapticState& felt)> at;
+};
+
 /// A whole session: a workcell, the moved entity, the motion of the hand, and all options.
 struct SessionOptions {
   std::vector<workcell::Entity> entities;
@@ -28,6 +36,7 @@ struct SessionOptions {
   std::vector<workcell::Guide> guides;
   std::string entity;  ///< Name of the entity that the first press of the button takes.
   haptic::HandPath hand{{haptic::HandSample{}}};
+  std::optional<LiveHand> live_hand;  ///< Goes over `hand`.
 
   double rate_gui_hz = 60.0;
   double latency_s = 0.0;  ///< One way, virtual time only.
@@ -112,7 +121,8 @@ struct SessionReport {
 
 /// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation
 /// step and the frames at their rates, messages delayed by the latency. The same options give exactly the same report
-/// (except for machine times). Errors: the entity or the frame does not exist, an unusable mesh.
+/// (except for machine times). Errors: the entity or the frame does not exist, an unusable mesh. What `trace` or a live
+/// hand throws ends the session and is thrown here.
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace = {});
 
 /// The same through a haptic server over TCP, in real time. The server's device must be a simulated one, which this

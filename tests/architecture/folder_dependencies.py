@@ -42,6 +42,7 @@ ALLOWED = {
     "studies": ENGINES | {"workcell", "manipulation", "planning"},
     "bridge": {"*"},
     "cli": {"*"},
+    "python": {"*"},
     "app": {"*"},
 }
 # Tests that belong to no folder of the program, or serve several of one.
@@ -63,6 +64,7 @@ FOREIGN = {
     r"^asio": {"haptic/transport", "haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/transport"},
     r"^CLI/": {"cli"},
+    r"^pybind11/": {"python"},
     r"^cairo": {"mannequin"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},

@@ -12,7 +12,7 @@ import sys
 
 from source_folders import LIBRARIES
 
-USERS = ["bridge", "cli", "app", "examples", "tests/cli", "tests/app", "tests/consumer"]
+USERS = ["bridge", "cli", "python", "app", "examples", "tests/cli", "tests/app", "tests/consumer"]
 LIBRARY = re.compile(r"hapticell_add_library\((.*?)\)\n", re.DOTALL)
 HEADERS = re.compile(r"\bHEADERS\s+((?:[\w/]+\.h\s*)+)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+
+#include "collision/queries/distance_result.h"
+#include "collision/trees/mesh_collider.h"
+
+namespace hapticell::python {
+
+/// What Python sees as hapticell.Mesh: a mesh with its tree, shared and immutable.
+struct Mesh {
+  std::shared_ptr<const collision::MeshCollider> collider;
+  std::string name;
+};
+
+/// What Python sees as hapticell.Distance.
+using Distance = collision::DistanceResult;
+
+}  // namespace hapticell::python

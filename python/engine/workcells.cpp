@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "geometry/system/atomic_file.h"
+#include "geometry/system/listed.h"
+#include "manipulation/scene/rest_pairs.h"
+#include "python/engine/bindings.h"
+#include "python/engine/conversion.h"
+#include "python/engine/long_work.h"
+#include "python/engine/robot_binding.h"
+#include "python/engine/workcell_binding.h"
+#include "workcell/files/document_lock.h"
+#include "workcell/files/scene_export.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/import/imported_entities.h"
+#include "workcell/meshes/length_unit.h"
+
+namespace hapticell::python {
+
+using workcell::Entity;
+using workcell::EntityId;
+
+const Entity& Workcell::entity(const std::string& name) const {
+  if (const Entity* const found = document.findByName(name)) return *found;
+  raise({.file = document.path().string(),
+         .place = "entity",
+         .found = Text("no entity is named '%1'", name),
+         .expected = Text("one of %1", listed(document.state().entities, [](const auto& one) { return one->name; }))});
+}
+
+void Workcell::execute(const workcell::Command& command) {
+  valueOf(document.execute(command));
+}
+
+std::shared_ptr<const manipulation::PreparedScene> Workcell::prepared() const {
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+  manipulation::PreparationProgress progress;
+  manipulation::SceneSource source = manipulation::sourceOf(document, {});
+  runLong([&] { scene = scenes->prepare(std::move(source), &progress); }, [&] { progress.build.cancelled = true; });
+  return scene;
+}
+
+namespace {
+
+/// What Python sees of an entity: as it was when it was asked for.
+struct EntityView {
+  Entity entity;
+};
+
+std::unique_ptr<Workcell> open(py::object file) {
+  Diagnostics diagnostics;
+  workcell::ImportMonitor monitor;
+  workcell::LoadOptions options;
+  options.monitor = &monitor;
+  const std::string path = pathOf(file);
+  std::optional<Expected<workcell::Document>> read;
+  runLong([&] { read = workcell::loadDocument(path, diagnostics, options); }, [&] { monitor.cancel(); });
+  tellWarnings(diagnostics.warnings);
+  auto cell = std::make_unique<Workcell>();
+  cell->document = valueOf(std::move(*read));
+  return cell;
+}
+
+void save(Workcell& self, const py::object& file) {
+  const std::filesystem::path path = file.is_none() ? self.document.path() : std::filesystem::path(pathOf(file));
+  if (path.extension() != ".hcell")
+    raise({.file = path.string(), .found = "the name of the document", .expected = "one that ends in .hcell"});
+  const auto lock = valueOf(workcell::DocumentLock::takeForWriting(path));
+  valueOf(workcell::saveDocument(self.document, path));
+}
+
+void convert(const Workcell& self, py::object file) {
+  const std::string path = pathOf(file);
+  Diagnostics diagnostics;
+  workcell::ImportMonitor monitor;
+  workcell::ExportOptions options;
+  options.monitor = &monitor;
+  Expected<void> written;
+  runLong([&] { written = workcell::exportState(self.document.state(), path, options, diagnostics); },
+          [&] { monitor.cancel(); });
+  tellWarnings(diagnostics.warnings);
+  valueOf(std::move(written));
+}
+
+workcell::ImportOptions importOptions(const std::optional<std::string>& unit, bool merge) {
+  workcell::ImportOptions options;
+  options.merge = merge;
+  if (unit) options.metres_per_unit = workcell::metresPer(valueOf(workcell::parseLengthUnit(*unit)));
+  return options;
+}
+
+/// Adds what a file or a word stands for as one undo step; returns the names.
+std::vector<std::string> add(Workcell& self, py::object what, const std::string& name, py::handle pose,
+                             const std::optional<std::string>& unit, bool merge, const py::object& progress) {
+  const std::string source = pathOf(what);
+  const Pose X_WF = poseOf(pose);
+  const workcell::ImportOptions options = importOptions(unit, merge);
+  Diagnostics diagnostics;
+  workcell::ImportMonitor monitor;
+  std::optional<Expected<workcell::ImportResult>> imported;
+  runLong(
+      [&] {
+        imported =
+            workcell::EntityLoader(std::filesystem::current_path()).loadTree(source, options, diagnostics, &monitor);
+      },
+      [&] { monitor.cancel(); },
+      [&] {
+        if (!progress.is_none()) progress(monitor.progress().share, english(monitor.progress().stage));
+      });
+  tellWarnings(diagnostics.warnings);
+  auto entities = valueOf(std::move(*imported)).entities;
+  if (!name.empty()) {
+    const auto roots =
+        std::count_if(entities.begin(), entities.end(), [](const Entity& e) { return e.parent.empty(); });
+    if (roots != 1)
+      raise({.file = source,
+             .place = "name",
+             .found = Text("%1 things at the top of the file", roots),
+             .expected = "one, or no name; merge=True makes one"});
+    for (Entity& entity : entities) {
+      if (entity.parent == entities.front().name) entity.parent = name;
+    }
+    if (self.document.findByName(name) != nullptr)
+      raise({.file = source,
+             .place = "name",
+             .found = Text("the name '%1' is already in use", name),
+             .expected = "a unique name"});
+    entities.front().name = name;
+  }
+  std::vector<std::string> names;
+  for (const EntityId id : valueOf(workcell::addImported(self.document, std::move(entities), X_WF)))
+    names.push_back(self.document.find(id)->name);
+  return names;
+}
+
+/// Distances of one entity to everything that it is checked against, as they stand.
+py::list distances(const Workcell& self, const std::string& name, double limit) {
+  const EntityId id = self.entity(name).id;
+  const auto scene = self.prepared();
+  std::vector<manipulation::PairState> pairs;
+  runLong([&] { pairs = manipulation::pairsAtRest(*scene, id, limit); }, [] {});
+  py::list found;
+  const py::object result = py::module_::import("hapticell._results").attr("Result");
+  for (const auto& pair : pairs) {
+    py::object one = result();
+    one["entity"] = scene->find(pair.moved)->name;
+    one["part"] = pair.moved_part;
+    one["other"] = scene->find(pair.other)->name;
+    one["other_part"] = pair.other_part;
+    one["distance"] = pair.distance;
+    one["point"] = arrayOf(pair.p_WA);
+    one["point_other"] = arrayOf(pair.p_WB);
+    found.append(one);
+  }
+  return py::module_::import("hapticell._results").attr("Records")(found);
+}
+
+void setProperties(Workcell& self, const std::string& name, const py::kwargs& values) {
+  workcell::SetProperties change;
+  change.id = self.entity(name).id;
+  const auto onContact = [](const std::string& word) {
+    for (const auto one : {workcell::OnContact::kStop, workcell::OnContact::kSlide, workcell::OnContact::kPass})
+      if (word == workcell::wordOf(one)) return one;
+    raise({.place = "on_contact", .found = Text::plain("'" + word + "'"), .expected = "stop, slide or pass"});
+  };
+  const auto forceClass = [](const std::string& word) {
+    for (const auto one :
+         {workcell::ForceClass::kConstant, workcell::ForceClass::kContact, workcell::ForceClass::kDynamics})
+      if (word == workcell::wordOf(one)) return one;
+    raise(
+        {.place = "force_class", .found = Text::plain("'" + word + "'"), .expected = "constant, contact or dynamics"});
+  };
+  for (const auto& [key, value] : values) {
+    const auto word = key.cast<std::string>();
+    if (word == "color")
+      change.color = value.cast<std::array<float, 3>>();
+    else if (word == "visible")
+      change.visible = value.cast<bool>();
+    else if (word == "locked")
+      change.locked = value.cast<bool>();
+    else if (word == "checked")
+      change.checked = value.cast<bool>();
+    else if (word == "on_contact")
+      change.on_contact = onContact(value.cast<std::string>());
+    else if (word == "force_class")
+      change.force_class = forceClass(value.cast<std::string>());
+    else if (word == "material")
+      change.material = value.cast<std::string>();
+    else if (word == "mass")
+      change.mass = value.cast<double>();
+    else if (word == "parent")
+      change.parent = value.cast<std::string>();
+    else
+      raise({.place = Text::plain(word),
+             .found = "an unknown property",
+             .expected = "color, visible, locked, checked, on_contact, force_class, material, mass or parent"});
+  }
+  self.execute(change);
+}
+
+void bindEntity(py::module_& module) {
+  py::class_<EntityView>(module, "Entity",
+                         "An entity of a cell as it was when it was asked for; change it by the cell's methods.")
+      .def_property_readonly("name", [](const EntityView& e) { return e.entity.name; })
+      .def_property_readonly(
+          "kind", [](const EntityView& e) { return workcell::wordOf(e.entity.kind()); },
+          "solid, robot, mechanism, assembly, mannequin or frame")
+      .def_property_readonly(
+          "pose", [](const EntityView& e) { return arrayOf(e.entity.X_WE); }, "X_WE, shape (7,).")
+      .def_property_readonly(
+          "joints", [](const EntityView& e) { return arrayOf(e.entity.joints()); }, "rad or m; empty for a solid.")
+      .def_property_readonly("parent", [](const EntityView& e) { return e.entity.parent; })
+      .def_property_readonly(
+          "color", [](const EntityView& e) { return e.entity.color; }, "sRGB, 0 to 1.")
+      .def_property_readonly("visible", [](const EntityView& e) { return e.entity.visible; })
+      .def_property_readonly("locked", [](const EntityView& e) { return e.entity.locked; })
+      .def_property_readonly("checked", [](const EntityView& e) { return e.entity.checked; })
+      .def_property_readonly(
+          "attached_to", [](const EntityView& e) { return e.entity.attachment.to; }, "Name of the carrier, or empty.")
+      .def_property_readonly("material", [](const EntityView& e) { return e.entity.contact.material; })
+      .def_property_readonly(
+          "mass", [](const EntityView& e) { return e.entity.contact.mass; }, "kg")
+      .def_property_readonly("on_contact",
+                             [](const EntityView& e) { return workcell::wordOf(e.entity.contact.on_contact); })
+      .def_property_readonly("source", [](const EntityView& e) { return e.entity.source.path; })
+      .def("__repr__", [](const EntityView& e) {
+        return py::str("<Entity '{}': {}>").format(e.entity.name, workcell::wordOf(e.entity.kind()));
+      });
+}
+
+void bindPlacing(py::class_<Workcell>& cell) {
+  cell.def(
+          "move",
+          [](Workcell& self, const std::string& name, py::handle pose) {
+            self.execute(workcell::SetPlacement{self.entity(name).id, poseOf(pose)});
+          },
+          py::arg("name"), py::arg("pose"), "Places an entity at X_WE; what is attached to it goes along.")
+      .def(
+          "set_joints",
+          [](Workcell& self, const std::string& name, py::handle joints) {
+            self.execute(workcell::SetJoints{self.entity(name).id, numbersOf(joints, -1, "joints")});
+          },
+          py::arg("name"), py::arg("joints"), "Joints of a robot, mechanism or mannequin, rad or m.")
+      .def(
+          "rename",
+          [](Workcell& self, const std::string& name, const std::string& to) {
+            self.execute(workcell::RenameEntity{self.entity(name).id, to});
+          },
+          py::arg("name"), py::arg("new_name"))
+      .def(
+          "remove",
+          [](Workcell& self, const std::string& name) { self.execute(workcell::RemoveEntity{self.entity(name).id}); },
+          py::arg("name"))
+      .def("set", &setProperties, py::arg("name"),
+           "Changes color, visible, locked, checked, on_contact, force_class, material, mass (kg) or parent.")
+      .def(
+          "attach",
+          [](Workcell& self, const std::string& name, const std::string& to, const std::string& link) {
+            self.execute(workcell::Attach{self.entity(name).id, self.entity(to).id, link});
+          },
+          py::arg("name"), py::arg("to"), py::arg("link") = "",
+          "At its present place; from then on it moves with the link.")
+      .def(
+          "detach",
+          [](Workcell& self, const std::string& name) { self.execute(workcell::Detach{self.entity(name).id}); },
+          py::arg("name"))
+      .def(
+          "set_tool",
+          [](Workcell& self, const std::string& name, const std::string& link, py::handle pose) {
+            self.execute(workcell::SetTool{self.entity(name).id, link, poseOf(pose)});
+          },
+          py::arg("name"), py::arg("link"), py::arg("pose") = py::none(), "The tool centre point X_LT of a robot.");
+}
+
+workcell::PairSet pairSet(const std::string& name, std::vector<std::string> first, std::vector<std::string> second,
+                          double safety, double near_miss) {
+  workcell::PairSet set;
+  set.name = name;
+  set.first = std::move(first);
+  set.second = std::move(second);
+  set.safety_distance = safety;
+  set.near_miss = near_miss;
+  return set;
+}
+
+void bindChecks(py::class_<Workcell>& cell) {
+  cell.def(
+          "add_check",
+          [](Workcell& self, const std::string& name, std::vector<std::string> first, std::vector<std::string> second,
+             double safety, double near_miss) {
+            for (const auto* side : {&first, &second})
+              for (const std::string& one : *side) self.entity(one);
+            self.execute(workcell::AddPairSet{pairSet(name, std::move(first), std::move(second), safety, near_miss)});
+          },
+          py::arg("name"), py::arg("first"), py::arg("second"), py::arg("safety_distance") = 0.001,
+          py::arg("near_miss") = 0.010,
+          "Checks the entities of one list against those of the other (empty: everything); distances in metres.")
+      .def(
+          "remove_check", [](Workcell& self, const std::string& name) { self.execute(workcell::RemovePairSet{name}); },
+          py::arg("name"))
+      .def(
+          "leave_out",
+          [](Workcell& self, const std::string& first, const std::string& second) {
+            workcell::PairRule rule;
+            rule.first = self.entity(first).name;
+            rule.second = self.entity(second).name;
+            rule.checked = false;
+            self.execute(workcell::SetPairRules{{rule}});
+          },
+          py::arg("first"), py::arg("second"), "Never checks this pair.")
+      .def("distances", &distances, py::arg("name"), py::arg("limit") = std::numeric_limits<double>::infinity(),
+           "Distances (m) of an entity to everything that it is checked against, as the cell stands: Records with "
+           "entity, part, "
+           "other, other_part, distance, point, point_other; nearest first.");
+}
+
+void bindHistory(py::class_<Workcell>& cell) {
+  cell.def(
+          "undo", [](Workcell& self) { return self.document.undo(); }, "False if there is nothing to undo.")
+      .def("redo", [](Workcell& self) { return self.document.redo(); })
+      .def_property_readonly(
+          "history", [](const Workcell& self) { return self.document.undoTexts(); },
+          "Steps that can be undone, oldest first.")
+      .def_property_readonly(
+          "dirty", [](const Workcell& self) { return self.document.isDirty(); }, "Differs from what was saved or read.")
+      .def("_begin_step", [](Workcell& self, const std::string& text) { self.document.beginCompound(text); })
+      .def("_end_step", [](Workcell& self) { self.document.endCompound(); })
+      .def("_cancel_step", [](Workcell& self) { self.document.cancelCompound(); });
+}
+
+}  // namespace
+
+void bindWorkcells(py::module_& module) {
+  bindEntity(module);
+  py::class_<Workcell> cell(module, "Workcell",
+                            "A workcell document: entities placed in the world W (metres, z up). Every change is a "
+                            "command that can be undone.");
+  cell.def(py::init<>())
+      .def_static("open", &open, py::arg("file"), "Reads a .hcell with all that it names.")
+      .def("save", &save, py::arg("file") = py::none(), "Writes the .hcell; a failure leaves the old file.")
+      .def(
+          "_write_copy",
+          [](const Workcell& self, py::object file) {
+            const std::filesystem::path path = std::filesystem::absolute(pathOf(file));
+            valueOf(writeFileAtomically(path, workcell::documentText(self.document.state(), path.parent_path())));
+          },
+          py::arg("file"))
+      .def("convert", &convert, py::arg("file"), "Writes STEP, glTF, STL, OBJ, PLY, OFF, or the one robot as URDF.")
+      .def("add", &add, py::arg("what"), py::arg("name") = "", py::arg("pose") = py::none(),
+           py::arg("unit") = py::none(), py::arg("merge") = false, py::arg("progress") = py::none(),
+           "Adds a CAD, mesh or robot file, library:NAME, mannequin:SEX:PERCENTILE, or a built-in part (box:X,Y,Z, "
+           "cylinder:R,H, sphere:R, table:, ...) at X_WE, as one undo step. `progress(share, stage)` is called while "
+           "it is "
+           "read. Returns the names of the new entities.")
+      .def_property_readonly("path", [](const Workcell& self) { return self.document.path().string(); })
+      .def_property_readonly("names",
+                             [](const Workcell& self) {
+                               std::vector<std::string> names;
+                               for (const auto& entity : self.document.state().entities) names.push_back(entity->name);
+                               return names;
+                             })
+      .def("__len__", [](const Workcell& self) { return self.document.state().entities.size(); })
+      .def("__contains__",
+           [](const Workcell& self, const std::string& name) { return self.document.findByName(name) != nullptr; })
+      .def("__getitem__", [](const Workcell& self, const std::string& name) { return EntityView{self.entity(name)}; })
+      .def(
+          "robot",
+          [](const Workcell& self, const std::string& name) {
+            const Entity& entity = self.entity(name);
+            const workcell::Jointed& jointed = entity.jointed();
+            if (!workcell::isMachine(entity))
+              raise({.place = Text("entity '%1'", name), .found = "it is not a robot", .expected = "a robot"});
+            const int link = jointed.model->findLink(jointed.tip_link);
+            return Robot(jointed.model, link >= 0 ? link : jointed.model->defaultTip(), jointed.X_LT);
+          },
+          py::arg("name"), "The kinematics of a robot of the cell with its tool; poses are in its root link.")
+      .def("__repr__", [](const Workcell& self) {
+        return py::str("<Workcell of {} entities{}>")
+            .format(self.document.state().entities.size(),
+                    self.document.path().empty() ? "" : " '" + self.document.path().filename().string() + "'");
+      });
+  bindPlacing(cell);
+  bindChecks(cell);
+  bindHistory(cell);
+}
+
+}  // namespace hapticell::python
