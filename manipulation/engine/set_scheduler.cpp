@@ -178,6 +178,7 @@ bool SetScheduler::make(const Inputs& inputs, bool changed) {
   if (built_.set.count == 0 && std::all_of(held.pairs().begin(), held.pairs().end(), passes))
     built_.set.zone_radius = kFreeZone;
   inputs.guides.addTo(built_, held, mapping, inputs.state.X_DP);
+  inputs.plan.addTo(built_, held, mapping);
   addLagRow(inputs);
   inputs.scripted.addVelocities(built_, held, mapping, inputs.hand.drift_D());
   return true;

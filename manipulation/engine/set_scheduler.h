@@ -8,6 +8,7 @@
 
 #include "haptic/transport/haptic_link.h"
 #include "manipulation/engine/felt_guides.h"
+#include "manipulation/engine/felt_plan.h"
 #include "manipulation/engine/hand_mapping.h"
 #include "manipulation/engine/scripted_entities.h"
 #include "manipulation/holding/held_entity.h"
@@ -24,6 +25,7 @@ class SetScheduler {
     const HandMapping& hand;
     const haptic::HapticState& state;
     const FeltGuides& guides;
+    const FeltPlan& plan;
     const ScriptedEntities& scripted;
     std::int64_t now_ns;
   };
