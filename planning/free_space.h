@@ -57,7 +57,7 @@ class FreeSpace {
   /// True if every pair is at least the clearance apart (own pairs: not touching) at this configuration.
   bool isFree(const EntityConfiguration& at);
   /// True if that holds everywhere on the motion between() from one to the other, proven continuously. Motions that
-  /// keep the clearance by less than a tenth of it (1 mm where it is 0) may be called not free; never the reverse.
+  /// keep the clearance by less than a tenth of it (at least 0.1 mm) may be called not free; never the reverse.
   bool isFree(const EntityConfiguration& from, const EntityConfiguration& to);
   /// What the last isFree() found in the way; empty after a free answer or a stop.
   std::optional<Blocker> blocker() const;
@@ -76,7 +76,8 @@ class FreeSpace {
   Pose toolAt(const EntityConfiguration& at) const;
   /// The box around all that the entity could meet (m, world); empty if there is nothing.
   const geometry::Bounds& obstacleBounds() const;
-  /// The radius (m) of a sphere around the origin of its frame E that holds a solid and what it carries.
+  /// The radius (m) of a sphere around the origin of its frame E that holds a solid and what it carries; meaningless
+  /// for a robot.
   double radius() const;
 
   const workcell::Entity& entity() const;
@@ -92,11 +93,11 @@ class FreeSpace {
   struct Plan;
   explicit FreeSpace(std::shared_ptr<const Plan> plan);
   bool ask(bool moves);
-  void fillStanding(const EntityConfiguration& at);
-  Blocker blockerOf(std::uint32_t pair) const;
+  std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
   std::shared_ptr<const Plan> plan_;
-  collision::Scene scene_;
+  collision::Scene scene_;                    ///< The moved parts first, then the obstacles; all pairs.
+  std::optional<collision::Scene> measured_;  ///< The same without pairs of two moved parts.
   double clearance_ = 0.0;
   std::vector<double> clearances_;            ///< By tag: the pair's number.
   std::vector<collision::MovedPart> moved_;   ///< Scratch.

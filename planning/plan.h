@@ -21,7 +21,9 @@ struct Plan {
   /// Indices of the waypoints at the poses of Problem::through.
   std::vector<std::size_t> through;
   double length = 0.0;           ///< Way of the tool (of a solid's origin), m.
-  double clearance_min = 0.0;    ///< m, least distance at the waypoints and between, as sampled; see checkWrittenPlan().
+  double clearance_min = 0.0;    ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
+  /// m: it was planned with so much more than the clearance, so that its corners may be rounded off (timedMotion()).
+  double slack = 0.0;
 };
 
 /// Why there is no plan.

@@ -37,7 +37,8 @@ ALLOWED = {
     "importer": {"config", "geometry", "workcell"},
     "manipulation": ENGINES | {"workcell", "haptic"},
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
-    "studies": ENGINES | {"workcell", "manipulation"},
+    "planning": ENGINES - {"mannequin"} | {"workcell", "manipulation"},
+    "studies": ENGINES | {"workcell", "manipulation", "planning"},
     "cli": {"*"},
     "app": {"*"},
 }
@@ -53,6 +54,7 @@ FOREIGN = {
     r"^toml\+\+": {"config", "mannequin", "studies", "workcell"},
     r"^sqlite3": {"studies"},
     r"^nlopt": {"studies"},
+    r"^ompl/": {"planning"},
     r"^(oneapi/)?tbb/": {"collision", "manipulation", "studies"},
     r"^asio": {"haptic/transport", "haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/transport"},
