@@ -11,6 +11,7 @@
 
 #include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
+#include "cli/session/session_plan.h"
 #include "cli/session/session_settings.h"
 #include "geometry/system/plain_number.h"
 #include "manipulation/session/local_server.h"
@@ -155,16 +156,18 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   HAPTICELL_TRY(hand);
   options.hand = *hand;
   std::set<std::string> seen;
+  SessionPlanWords plan;
   for (const std::string& setting : words.set) {
     const std::string key = setting.substr(0, setting.find('='));
     if (!seen.insert(key).second)
       return makeError({.place = "--set", .found = Text("'%1' twice", key), .expected = "each key at most once"});
-    HAPTICELL_TRY(applySessionSetting(setting, options));
+    HAPTICELL_TRY(applySessionSetting(setting, options, plan));
   }
   HAPTICELL_TRY(readRates(words, options));
   HAPTICELL_TRY(readRecording(words, options));
   const std::string device = words.device.value_or(options.configuration.haptic.device);
   HAPTICELL_TRY(readDevice(device, options));
+  HAPTICELL_TRY(addPlanner(plan, words.realtime, options));
   warnAboutHand(words, options);
   return options;
 }
@@ -244,7 +247,7 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
   for (const auto& [name, at] : report.end.axes) {
     axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
   }
-  return {
+  ordered_json json = {
       {"entity", options.entity},
       {"assumptions", options.hand.assumptions()},
       {"duration_s", report.duration_s},
@@ -275,6 +278,8 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
         {"step_median_ms", report.delays.step_median_ms},
         {"step_p99_ms", report.delays.step_p99_ms},
         {"step_max_ms", report.delays.step_max_ms}}}};
+  if (report.plan) json["plan"] = planJson(*report.plan, options);
+  return json;
 }
 
 Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptions& options,

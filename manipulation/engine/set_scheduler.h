@@ -37,6 +37,9 @@ class SetScheduler {
   void want() { wanted_ = true; }
   /// Others moved, so the set is out of date. Does not make one at every step, because a set costs time.
   void wantForOthers(std::int64_t now_ns);
+  /// What pulls has moved on, but what the last set says of contacts is still true: makes a set soon, without discarding
+  /// a running search.
+  void refresh() { refresh_ = true; }
   /// Forgets the last set.
   void forget() { built_ = {}; }
   /// Makes and sends a set if one is due.
@@ -59,6 +62,7 @@ class SetScheduler {
 
   const double configured_radius_;
   bool wanted_ = true;
+  bool refresh_ = false;
   BuiltConstraints built_;
   std::uint64_t sequence_ = 0;
   std::int64_t set_ns_ = 0;

@@ -136,9 +136,9 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6) return found;
   const auto start = freeStart(view.standing);
   if (!start) {
-    found.result.failure = Failure{.kind = Failure::Kind::kStart,
-                                   .reason = Text("there is no room around the place where it is"),
-                                   .blocked_by = {}};
+    Failure& failure = found.result.failure.emplace();
+    failure.kind = Failure::Kind::kStart;
+    failure.reason = Text("there is no room around the place where it is");
     return found;
   }
   Problem problem;
