@@ -40,6 +40,8 @@ struct Configuration {
     double near_miss = 0.010;             ///< Metres; shown and heard.
     double gravity_compensation = 1.0;    ///< Share of a held part's weight that is not felt; 1: none is felt.
     double edge_drift = 0.0;              ///< m/s of hand at the edge of the device's workspace; 0: none.
+    double plan_authority = 0.7;          ///< 0 .. 1: how much the way of a planner beside the hand is felt.
+    double plan_clearance = 0.002;        ///< Metres that this way keeps from everything.
     double felt_mass = 0.5;               ///< kg whose inertia is felt at most, for the class dynamics.
     double load_damping = 0.5;            ///< N s/m against the motion of what is held, for the class dynamics.
   } manipulation;

@@ -33,6 +33,8 @@ void visitSettings(AnyConfiguration& c, Visitor&& visit) {
   visit("manipulation.near_miss", c.manipulation.near_miss, NumberRange{0, 10});
   visit("manipulation.gravity_compensation", c.manipulation.gravity_compensation, NumberRange{0, 1});
   visit("manipulation.edge_drift", c.manipulation.edge_drift, NumberRange{0, 0.5});
+  visit("manipulation.plan_authority", c.manipulation.plan_authority, NumberRange{0, 1});
+  visit("manipulation.plan_clearance", c.manipulation.plan_clearance, NumberRange{0, 0.1});
   visit("manipulation.felt_mass", c.manipulation.felt_mass, NumberRange{0, 2});
   visit("manipulation.load_damping", c.manipulation.load_damping, NumberRange{0, 20});
   visit("robot.at_singularity", c.robot.at_singularity,

@@ -99,7 +99,11 @@ void FeelSession::forgetFigures() {
 void FeelSession::tick(bool measured) {
   device_.advance(kTick);
   const haptic::MetricVector force_before = wantedForce();
-  const haptic::MetricVector commanded_before = together(safety_result_.force_D, safety_result_.torque_D);
+  // What pulls do is theirs: the account is of the coupling (docs/dev/feel.md, Energy account).
+  const double wanted = glm::length(result_.force_D);
+  const double share = wanted > 0.0 ? std::min(1.0, glm::length(safety_result_.force_D) / wanted) : 1.0;
+  const haptic::MetricVector commanded_before =
+      together(safety_result_.force_D - share * result_.load_D, safety_result_.torque_D);
   haptic::DeviceReading reading;
   device_.read(reading);
   client_.step(time_, *way_);

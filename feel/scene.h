@@ -71,6 +71,10 @@ std::unique_ptr<FeelScene> driftingScene(std::unique_ptr<FeelScene> scene, const
 /// `hand`, the same thing in its own size.
 std::unique_ptr<FeelScene> scaledScene(std::unique_ptr<FeelScene> cell, std::unique_ptr<FeelScene> hand, double scale);
 
+/// `scene` at full authority of a planner (manipulation/engine/felt_plan.h) whose way changes ten times a second, in any
+/// direction.
+std::unique_ptr<FeelScene> plannedScene(std::unique_ptr<FeelScene> scene);
+
 /// The built-in robot dragged by its tool centre point against the upper limit of its third joint.
 Expected<std::unique_ptr<FeelScene>> jointLimitScene();
 /// The same robot whose forearm touches a wall and slides along it.

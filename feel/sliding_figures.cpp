@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// M1 to M4 while sliding, M9 over a stall of the client, M14 on what moves or is seen through a scale.
+// M1 to M4 while sliding, M9 over a stall of the client, M14 on what moves or is seen through a scale, PLAN under the
+// pull of a plan that changes ten times a second.
 #include <cmath>
 #include <cstdio>
 
@@ -106,6 +107,23 @@ std::vector<Sliding> movedSlidings() {
       limits, kSlide);
   add(made("cylinder R5 at 0.1 m/m", [] { return scaledScene(cylinderScene(0.005), cylinderScene(0.05), 0.1); }),
       limits, kSlide);
+  return all;
+}
+
+/// Under the pull of a changing plan, within what is asked without it.
+std::vector<Sliding> plannedSlidings() {
+  std::vector<Sliding> all;
+  for (const char* name : {"flat wall", "cylinder R50", "bore R10", "corner of three planes", "hinge with stop"}) {
+    for (const NamedScene& scene : benchmarkScenes()) {
+      if (scene.name != name) continue;
+      const auto make = [scene]() -> Expected<std::unique_ptr<FeelScene>> {
+        auto plain = scene.make();
+        HAPTICELL_TRY(plain);
+        return plannedScene(std::move(*plain));
+      };
+      all.push_back({{scene.name + ", changing plan", make}, {}, kSlide, "PLAN"});
+    }
+  }
   return all;
 }
 
@@ -271,6 +289,9 @@ void addSlidingJobs(const BenchmarkOptions&, std::vector<FigureJob>& jobs) {
   jobs.push_back({{"M9"}, "thin wall", beyondFigures});
   for (const Sliding& sliding : movedSlidings()) {
     jobs.push_back({{"M14"}, sliding.scene.name, [sliding] { return slidingFigures(sliding); }});
+  }
+  for (const Sliding& sliding : plannedSlidings()) {
+    jobs.push_back({{"PLAN"}, sliding.scene.name, [sliding] { return slidingFigures(sliding); }});
   }
 }
 

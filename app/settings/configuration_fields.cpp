@@ -30,6 +30,8 @@ ConfigurationGroup forces() {
        {"manipulation.gravity_compensation", QObject::tr("Gravity compensation of the held part"), "%", kPercent, 0},
        {"manipulation.felt_mass", QObject::tr("Largest mass with felt inertia"), "kg", 1.0, 2},
        {"manipulation.load_damping", QObject::tr("Damping of the held part (Dynamics)"), "N s/m", 1.0, 2},
+       {"manipulation.plan_authority", QObject::tr("Authority of a planner beside the hand"), "%", kPercent, 0},
+       {"manipulation.plan_clearance", QObject::tr("Clearance of its way"), "mm", kPerMetre, 1},
        {"manipulation.edge_drift", QObject::tr("Drift at the edge of the workspace (0: none)"), "mm/s", kPerMetre, 0},
        {"manipulation.zone_radius", QObject::tr("Prepare contacts within"), "mm", kPerMetre, 0}}};
 }

@@ -12,6 +12,7 @@
 #include "cli/kit/command_listener.h"
 #include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
+#include "cli/session/session_plan.h"
 #include "cli/session/session_recording.h"
 #include "cli/session/session_report.h"
 #include "cli/session/session_settings.h"
@@ -148,11 +149,12 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   HAPTICELL_TRY(hand);
   options.hand = *hand;
   std::set<std::string> seen;
+  SessionPlanWords plan;
   for (const std::string& setting : words.set) {
     const std::string key = setting.substr(0, setting.find('='));
     if (!seen.insert(key).second)
       return makeError({.place = "--set", .found = Text("'%1' twice", key), .expected = "each key at most once"});
-    HAPTICELL_TRY(applySessionSetting(setting, options));
+    HAPTICELL_TRY(applySessionSetting(setting, options, plan));
   }
   HAPTICELL_TRY(readRates(words, options));
   HAPTICELL_TRY(readRecording(words, options));
@@ -160,6 +162,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   const auto profile = simulatedDevice(device);
   HAPTICELL_TRY(profile);
   options.device = *profile;
+  HAPTICELL_TRY(addPlanner(plan, words.realtime, options));
   warnAboutHand(words, options);
   return options;
 }

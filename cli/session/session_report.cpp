@@ -2,6 +2,7 @@
 #include "cli/session/session_report.h"
 
 #include "cli/kit/result_writer.h"
+#include "cli/session/session_plan.h"
 
 namespace hapticell::cli {
 
@@ -72,7 +73,7 @@ ordered_json sessionJson(const SessionReport& report, const SessionOptions& opti
   for (const auto& [name, at] : report.end.axes) {
     axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
   }
-  return {
+  ordered_json json = {
       {"entity", options.entity},
       {"assumptions", options.hand.assumptions()},
       {"duration_s", report.duration_s},
@@ -103,6 +104,8 @@ ordered_json sessionJson(const SessionReport& report, const SessionOptions& opti
         {"step_median_ms", report.delays.step_median_ms},
         {"step_p99_ms", report.delays.step_p99_ms},
         {"step_max_ms", report.delays.step_max_ms}}}};
+  if (report.plan) json["plan"] = planJson(*report.plan, options);
+  return json;
 }
 
 }  // namespace hapticell::cli

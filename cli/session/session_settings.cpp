@@ -38,7 +38,8 @@ Expected<void> setSafetyDistance(const std::string& value, SessionOptions& optio
 }
 
 std::string knownKeys(const SessionOptions& options) {
-  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, filter, forces, safety_distance";
+  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, filter, forces, safety_distance, plan_goal, plan_hints, "
+                     "plan_authority, plan_clearance";
   for (const config::Setting& setting : config::settings(options.configuration)) keys += ", " + setting.key;
   return keys;
 }
@@ -52,7 +53,7 @@ bool isConfigurationKey(const std::string& key, const SessionOptions& options) {
 
 }  // namespace
 
-Expected<void> applySessionSetting(const std::string& setting, SessionOptions& options) {
+Expected<void> applySessionSetting(const std::string& setting, SessionOptions& options, SessionPlanWords& plan) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0) {
     return makeError({.place = "--set", .found = "'" + setting + "'", .expected = "KEY=VALUE"});
@@ -75,6 +76,12 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   if (key == "force_class" || key == "manipulation.force_class") {
     return take(manipulation::parseForceClass(value), options.force_class);
   }
+  if (key == "plan_goal" || key == "plan_hints") {
+    (key == "plan_goal" ? plan.goal : plan.hints) = value;
+    return {};
+  }
+  if (key == "plan_authority" || key == "plan_clearance")
+    return config::setValue(options.configuration, "manipulation." + key, value);
   if (key == "lock") {
     const auto locks = manipulation::parseLock(value);
     HAPTICELL_TRY(locks);

@@ -53,6 +53,8 @@ void ForceRenderer::reset(const Pose& X_DS) {
   contact_ = late_ = jumped_ = false;
   sets_.reset();
   load_.reset();
+  pulls_.reset();
+  pulls_inside_ = false;
   load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
@@ -123,12 +125,17 @@ MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVec
   return limited(proxy_step, allowed);
 }
 
-/// Of the set in use, as far as the stylus is inside its zone.
-dvec3 ForceRenderer::pullOf(const Pose& X_DS) const {
-  if (!sets_.holds()) return dvec3(0.0);
-  const GroupedSet& grouped = sets_.current();
-  const bool inside = lengthOf(metricDifference(X_DS, grouped.set.X_DR)) < grouped.set.zone_radius;
-  return inside ? grouped.pullAt(X_DS) : dvec3(0.0);
+/// Of the set in use, as far as the stylus is inside its zone; without a step where sets change.
+dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt) {
+  bool inside = false;
+  dvec3 pull_D(0.0);
+  if (sets_.holds()) {
+    const GroupedSet& grouped = sets_.current();
+    inside = lengthOf(metricDifference(X_DS, grouped.set.X_DR)) < grouped.set.zone_radius;
+    if (inside) pull_D = grouped.pullAt(X_DS);
+  }
+  const bool crossed = std::exchange(pulls_inside_, inside) != inside;
+  return pulls_.tick(pull_D, changed || crossed, dt);
 }
 
 MetricVector ForceRenderer::couplingForce(const ProxyStep& solved) const {
@@ -178,7 +185,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   SetJump jump;
   ProxyStep solved;
   solved.X_DP = X_DS;
-  if (sets_.offered())
+  const bool changed = sets_.offered();
+  if (changed)
     solved = changeSet(X_DS, dt, jump);
   else if (sets_.holds())
     solved = mover_.move(sets_.current(), proxy_, X_DS, dt);
@@ -202,7 +210,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   gains_.updateDamper(contact_, catches_up, dt);
 
   spring_.noteWanted(couplingForce(solved));
-  load_D_ = load_.tick(X_DS.p, velocities_.stylus_D().linear, dt) + pullOf(X_DS);
+  load_D_ = load_.tick(X_DS.p, velocities_.stylus_D().linear, dt) + pullOf(X_DS, changed || jumped, dt);
   return isFinite() ? resultOf(solved) : endWithoutSet(X_DPLast, X_DS);
 }
 

@@ -12,6 +12,7 @@
 #include "haptic/rendering/held_load.h"
 #include "haptic/rendering/passivity.h"
 #include "haptic/rendering/proxy_mover.h"
+#include "haptic/rendering/pull_blend.h"
 #include "haptic/rendering/renderer_options.h"
 #include "haptic/rendering/set_slots.h"
 
@@ -115,7 +116,7 @@ class ForceRenderer {
   MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                            const MetricVector& stylus_step, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
-  dvec3 pullOf(const Pose& X_DS) const;
+  dvec3 pullOf(const Pose& X_DS, bool changed, double dt);
   MetricVector couplingForce(const ProxyStep& solved) const;
   bool isFinite() const;
   RenderResult resultOf(const ProxyStep& solved) const;
@@ -135,6 +136,8 @@ class ForceRenderer {
   CouplingSpring spring_;
   PassivityController passivity_;
   dvec3 load_D_{0.0};  ///< Of the last tick, N.
+  PullBlend pulls_;
+  bool pulls_inside_ = false;  ///< The stylus was inside the zone of the set whose pulls were felt.
   bool contact_ = false;
   bool jumped_ = false;  ///< See noteJump().
   bool late_ = false;    ///< The proxy follows the stylus out of free space and has not reached it yet; nothing

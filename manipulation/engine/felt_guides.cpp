@@ -36,7 +36,8 @@ void appendSolverRows(const std::vector<haptic::Constraint>& constraints, std::v
   }
 }
 
-/// Those that are left out make the set good for a smaller zone.
+}  // namespace
+
 void makeRoom(BuiltConstraints& built, std::size_t rows) {
   haptic::ConstraintSet& set = built.set;
   while (set.count + rows > haptic::kMaxConstraints && set.count > 0) {
@@ -58,8 +59,6 @@ void makeRoom(BuiltConstraints& built, std::size_t rows) {
     built.origins.resize(kept);
   }
 }
-
-}  // namespace
 
 std::vector<const workcell::Guide*> FeltGuides::binding(const HeldEntity& held) const {
   std::vector<const workcell::Guide*> bound;

@@ -10,6 +10,9 @@
 
 namespace hapticell::manipulation {
 
+/// Makes room for so many rows in a set: the farthest contacts that are left out make it good for a smaller zone.
+void makeRoom(BuiltConstraints& built, std::size_t rows);
+
 /// The guides that one stylus feels while it holds their entity. Manipulation thread only.
 class FeltGuides {
  public:

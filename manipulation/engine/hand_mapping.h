@@ -35,6 +35,8 @@ class HandMapping {
   void anchor(const Pose& X_DP, const Pose& X_WM) { mapping_.anchor(X_DP, X_WM); }
   /// Nothing is held: the device's middle corresponds to the middle of the view.
   void anchorToView() { mapping_.anchor(Pose::identity(), Pose::translation(camera_.p_WFocus)); }
+  /// See MotionMapping::turn().
+  void turn(const dquat& q_W, const Pose& X_DP) { mapping_.turn(q_W, X_DP); }
   void lookFrom(const Pose& X_DP) { mapping_.lookFrom(X_DP); }
 
   /// Whether the hand moves without the entity, by the command or by the button.

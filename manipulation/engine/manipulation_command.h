@@ -12,6 +12,7 @@
 #include "geometry/system/error.h"
 #include "geometry/system/text.h"
 #include "haptic/protocol/messages.h"
+#include "manipulation/engine/plan_source.h"
 #include "manipulation/holding/motion_mapping.h"
 #include "manipulation/manipulators/moved_by.h"
 #include "trajectory/motion/recorder.h"
@@ -55,6 +56,12 @@ struct ChooseEntity {
 /// All guides of the document; those of the held entity are felt.
 struct SetGuides {
   std::vector<workcell::Guide> guides;
+};
+/// A planner that works beside this stylus while it holds something (null: none), and how much its way is felt (0 ..
+/// 1); the same planner again changes the authority only.
+struct SetPlan {
+  std::shared_ptr<PlanSource> source;
+  double authority = 0.0;
 };
 struct SetMovedBy {
   MovedBy moved_by;
@@ -130,7 +137,7 @@ struct StopRecording {};
 /// "all", "translation", "rotation", or the axes x, y, z of the hand that act: "x", "xz" ... (then without rotation).
 Expected<command::SetFilter> parseFilter(const std::string& text);
 
-using Command = std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy,
+using Command = std::variant<command::SetDocument, command::SetGuides, command::SetPlan, command::ChooseEntity, command::SetMovedBy,
                              command::SetAxes, command::SetScale, command::SetCamera, command::SetOnContact,
                              command::SetForceClass, command::SetForces, command::SetFilter, command::SetClutch,
                              command::SetHandTarget, command::Grab, command::Release, command::PoseJoints,

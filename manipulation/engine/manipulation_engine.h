@@ -76,6 +76,9 @@ class ManipulationEngine {
   /// When the newest contact was first felt, by now_ns's clock; 0 before the first.
   std::int64_t feltAt() const { return holder_.contacts().feltAt(); }
 
+  /// The planner beside the hand, as it is felt.
+  const FeltPlan::State& plan() const { return holder_.plan(); }
+
   /// Why the held entity does not follow: its near limits, nearest first, and what else holds it back.
   std::vector<LimitState> nearLimits() const { return holder_.nearLimits(); }
 

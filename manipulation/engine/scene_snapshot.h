@@ -9,6 +9,7 @@
 #include "geometry/system/text.h"
 #include "haptic/protocol/link_problem.h"
 #include "haptic/protocol/messages.h"
+#include "manipulation/engine/felt_plan.h"
 #include "manipulation/manipulators/manipulator.h"
 #include "manipulation/scene/pair_state.h"
 #include "workcell/entity/entity.h"
@@ -59,6 +60,7 @@ struct SceneSnapshot {
   std::vector<PairState> pairs;  ///< Nearest first.
   std::vector<LimitState> limits;
   StylusState stylus;
+  FeltPlan::State plan;  ///< The planner beside the stylus.
   bool clutched = false;
   bool stopped = false;     ///< A pair in mode *Stop* holds the entity.
   double free_gap_m = 0.0;  ///< Nearest free pair.

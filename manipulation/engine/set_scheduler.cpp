@@ -85,6 +85,7 @@ bool SetScheduler::isDue(const Inputs& inputs) const {
   if (wanted_) return true;
   if (inputs.held == nullptr) return age >= kOldestSet;
   if (inputs.held->hasAnswer()) return true;
+  if (refresh_ && inputs.now_ns - set_ns_ >= kNewsPeriod && age >= 2.0 * built_.cost) return true;
   const double way = moved(inputs);
   // Sets that are dear are made less often: they get half of the time.
   if (age < std::min(kOldestSet, 2.0 * built_.cost)) return false;
@@ -178,6 +179,7 @@ bool SetScheduler::make(const Inputs& inputs, bool changed) {
   if (built_.set.count == 0 && std::all_of(held.pairs().begin(), held.pairs().end(), passes))
     built_.set.zone_radius = kFreeZone;
   inputs.guides.addTo(built_, held, mapping, inputs.state.X_DP);
+  inputs.plan.addTo(built_, held, mapping);
   addLagRow(inputs);
   inputs.scripted.addVelocities(built_, held, mapping, inputs.hand.drift_D());
   return true;
@@ -186,6 +188,7 @@ bool SetScheduler::make(const Inputs& inputs, bool changed) {
 void SetScheduler::update(const Inputs& inputs, haptic::HapticLink& link) {
   if (!isDue(inputs)) return;
   const bool changed = std::exchange(wanted_, false);
+  refresh_ = false;
   const std::int64_t before_ns = std::exchange(last_set_ns_, std::exchange(set_ns_, inputs.now_ns));
   if (inputs.held != nullptr) {
     if (!make(inputs, changed)) {

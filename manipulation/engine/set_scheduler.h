@@ -8,6 +8,7 @@
 
 #include "haptic/transport/haptic_link.h"
 #include "manipulation/engine/felt_guides.h"
+#include "manipulation/engine/felt_plan.h"
 #include "manipulation/engine/hand_mapping.h"
 #include "manipulation/engine/scripted_entities.h"
 #include "manipulation/holding/held_entity.h"
@@ -24,6 +25,7 @@ class SetScheduler {
     const HandMapping& hand;
     const haptic::HapticState& state;
     const FeltGuides& guides;
+    const FeltPlan& plan;
     const ScriptedEntities& scripted;
     std::int64_t now_ns;
   };
@@ -35,6 +37,9 @@ class SetScheduler {
   void want() { wanted_ = true; }
   /// Others moved, so the set is out of date. Does not make one at every step, because a set costs time.
   void wantForOthers(std::int64_t now_ns);
+  /// What pulls has moved on, but what the last set says of contacts is still true: makes a set soon, without discarding
+  /// a running search.
+  void refresh() { refresh_ = true; }
   /// Forgets the last set.
   void forget() { built_ = {}; }
   /// Makes and sends a set if one is due.
@@ -57,6 +62,7 @@ class SetScheduler {
 
   const double configured_radius_;
   bool wanted_ = true;
+  bool refresh_ = false;
   BuiltConstraints built_;
   std::uint64_t sequence_ = 0;
   std::int64_t set_ns_ = 0;

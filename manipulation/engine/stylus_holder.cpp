@@ -53,6 +53,10 @@ void StylusHolder::apply(const Command& command) {
                    guides_.set(c.guides);
                    sets_.want();
                  },
+                 [&](const command::SetPlan& c) {
+                   plan_.set(c.source, c.authority);
+                   sets_.want();
+                 },
                  [&](const command::ChooseEntity& c) { grip_.choose(c.entity); },
                  [&](const command::SetMovedBy& c) { take_anew([&] { grip_.setMovedBy(c.moved_by); }); },
                  [&](const command::SetOnContact& c) { take_anew([&] { grip_.setOnContact(c.on_contact); }); },
@@ -111,6 +115,7 @@ bool StylusHolder::hold(workcell::EntityId entity) {
 
 void StylusHolder::forgetFelt() {
   contacts_.clear();
+  plan_.forget();
   snapshots_.forget();
   sets_.forget();
 }
@@ -241,13 +246,14 @@ void StylusHolder::follow(const ScriptedEntities& scripted) {
   const std::int64_t now = cell_.clock().now();
   HeldEntity* const moved = hand_.isClutched() ? nullptr : grip_.held();
   if (moved != nullptr) {
+    if (plan_.step(*moved, hand_, state.X_DP, cell_)) sets_.refresh();
     const Pose X_DWanted = guides_.onGuides(state.X_DP, *moved, hand_.mapping());
     const auto followed = moved->follow(X_DWanted, hand_.mapping(), &sets_.built(), cell_.clock().stepTime());
     hurried_joint_ = followed.hurried_joint;
     stopped_ = followed.stopped;
   }
   updateLoad();
-  sets_.update({moved, hand_, state, guides_, scripted, now}, input_.link());
+  sets_.update({moved, hand_, state, guides_, plan_, scripted, now}, input_.link());
   if (moved != nullptr) contacts_.look(*moved, sets_.built(), state.X_DP, now, input_.stateTime(now));
   noticeSimplifiedContacts();
   for (const std::size_t i : contacts_.contacts())
@@ -288,6 +294,7 @@ TakeRecording::Hand StylusHolder::hand() const {
 void StylusHolder::addTo(SceneSnapshot& snapshot) {
   snapshots_.addEntities(grip_, contacts_, snapshot);
   snapshot.limits = nearLimits();
+  snapshot.plan = plan_.state();
   snapshot.clutched = hand_.isClutched();
   snapshot.stopped = stopped_;
   snapshot.felt_ns = contacts_.feltAt();

@@ -9,6 +9,7 @@
 #include "manipulation/engine/cell_state.h"
 #include "manipulation/engine/contact_watch.h"
 #include "manipulation/engine/felt_guides.h"
+#include "manipulation/engine/felt_plan.h"
 #include "manipulation/engine/hand_mapping.h"
 #include "manipulation/engine/manipulation_command.h"
 #include "manipulation/engine/result_log.h"
@@ -72,6 +73,8 @@ class StylusHolder {
   EntityConfiguration placement(workcell::EntityId entity) const { return grip_.placement(entity); }
   const StylusInput& input() const { return input_; }
   const ContactWatch& contacts() const { return contacts_; }
+  /// The planner beside the hand, as it is felt.
+  const FeltPlan::State& plan() const { return plan_.state(); }
   const SetScheduler& sets() const { return sets_; }
   ResultLog& log() { return log_; }
   std::vector<Result> takeResults() { return log_.take(); }
@@ -100,6 +103,7 @@ class StylusHolder {
   HandMapping hand_;
   StylusGrip grip_;
   FeltGuides guides_;
+  FeltPlan plan_;
   ContactWatch contacts_;
   SetScheduler sets_;
   SnapshotMaker snapshots_;

@@ -80,6 +80,11 @@ Twist MotionMapping::unscaled(const Twist& motion_W) const {
           rotates_ ? turned_ * (q_DW * motion_W.angular) / rotation_scale_ : dvec3(0.0)};
 }
 
+void MotionMapping::turn(const dquat& q_W, const Pose& X_DP) {
+  const dquat since = toCell(X_DP).q * glm::conjugate(X_WA_.q);
+  X_WA_.q = glm::normalize(glm::conjugate(since) * q_W * since * X_WA_.q);
+}
+
 Pose MotionMapping::toCell(const Pose& X_DP) const {
   return displaced(X_WA_, scaled(difference(X_DP, X_DA_)));
 }

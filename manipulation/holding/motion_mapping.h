@@ -54,6 +54,10 @@ class MotionMapping {
   /// Moves the anchor back by `motion_D`, so that the held entity moves on by it.
   void drift(const dvec3& motion_D) { X_DA_.p -= motion_D; }
 
+  /// Turns the anchor so that the moved frame's target for the stylus (or proxy) at X_DP is turned by `q_W` about its
+  /// origin.
+  void turn(const dquat& q_W, const Pose& X_DP);
+
   /// The target of the moved frame for the stylus (or proxy) at X_DP.
   Pose toCell(const Pose& X_DP) const;
   /// The stylus pose that corresponds to X_WM; components removed by a filter come from `X_DNear`. Inverse of toCell().

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "geometry/system/listed.h"
 #include "geometry/system/percentile.h"
@@ -33,6 +34,11 @@ constexpr double kLeastPenetrationPeriod = 0.010;
 constexpr double kPatience = 5.0;
 /// s of a live hand: a day. Half: a shift and a half; twice: memory for a trace of nobody's use.
 constexpr double kLongestHand = 86400.0;
+
+/// s of a session with a StraightHand after it has reached its goal. Half: shorter reports; twice: nothing new.
+constexpr double kAfterGoal = 0.5;
+/// s between two reported values of the authority: a fall takes 0.25 s. Half: longer reports; twice: falls are missed.
+constexpr double kAuthorityPeriod = 0.1;
 
 double secondsSince(SteadyClock::time_point begin) {
   return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -68,6 +74,10 @@ class WatchedEngine {
     engine_.apply(command::SetScale{options_.scale});
     if (options_.on_contact) engine_.apply(command::SetOnContact{*options_.on_contact});
     engine_.apply(options_.filter);
+    if (options_.assistance) {
+      engine_.apply(command::SetPlan{options_.assistance->planner, options_.assistance->authority});
+      report_.plan.emplace();
+    }
     if (options_.force_class) engine_.apply(command::SetForceClass{*options_.force_class});
     const auto tried = tryHold();
     HAPTICELL_TRY(tried);
@@ -92,6 +102,7 @@ class WatchedEngine {
     for (const Result& result : engine_.takeResults()) {
       if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(english(told->sentence));
     }
+    if (options_.assistance) notePlan(t);
     if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
   }
 
@@ -108,6 +119,8 @@ class WatchedEngine {
   }
   const std::optional<haptic::HapticState>& state() const { return engine_.hapticState(); }
   const haptic::ServerStatistics& serverStatistics() const { return engine_.serverStatistics(); }
+  /// The goal of the planner beside the hand was reached half a second ago.
+  bool isSolved(double t) const { return report_.plan && report_.plan->solved && t > report_.plan->solved_s + kAfterGoal; }
   bool inContact() const { return !engine_.contacts().empty(); }
   Pose movedFrame() const { return engine_.held() ? engine_.held()->movedFrame() : Pose::identity(); }
 
@@ -190,6 +203,17 @@ class WatchedEngine {
     engine_.apply(command::SetGuides{std::move(guides)});
   }
 
+  void notePlan(double t) {
+    SessionPlan& plan = *report_.plan;
+    const FeltPlan::State& state = engine_.plan();
+    plan.ways = state.ways;
+    plan.insistences = state.insistences;
+    if (state.reached && !std::exchange(plan.solved, true)) plan.solved_s = t;
+    if (t + 1e-9 >= kAuthorityPeriod * static_cast<double>(plan.authority.size())) {
+      plan.authority.emplace_back(t, state.authority * state.share);
+    }
+  }
+
   void takeRecordings() {
     if (!options_.recording) return;
     engine_.apply(command::StopRecording{});
@@ -255,9 +279,15 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   std::uint64_t steps = 0, pictures = 0, adopted = 0;
   std::vector<double> latencies;
   Pose X_DSBefore = device.truePose();
+  std::optional<StraightHand> straight;
+  if (options.straight_hand) straight.emplace(*options.straight_hand);
+  double ended = 0.0;
   for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
     const double t = static_cast<double>(tick) * period;
-    const haptic::HandSample sample = handAt(options, t, loop.current());
+    if (straight && engine.isSolved(t)) break;
+    ended = t;
+    const haptic::HandSample sample =
+        straight ? straight->next(t, X_DSBefore, engine.movedFrame()) : handAt(options, t, loop.current());
     device.hand().hold(sample.X_DH, sample.buttons);
     link.step();
     const haptic::HapticState& state = loop.current();
@@ -282,8 +312,8 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
              engine.movedFrame()});
     }
   }
-  SessionReport report = engine.finish(static_cast<double>(ticks) * period);
-  report.ticks = ticks + 1;
+  SessionReport report = engine.finish(ended);
+  report.ticks = static_cast<std::uint64_t>(std::lround(ended / period)) + 1;
   report.rate_haptic_hz = 1.0 / period;
   report.delays.latency_p50_ms = percentile(latencies, 0.5);
   report.delays.latency_p99_ms = percentile(latencies, 0.99);

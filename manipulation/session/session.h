@@ -17,6 +17,7 @@
 #include "manipulation/session/exercise.h"
 #include "manipulation/session/joint_meter.h"
 #include "manipulation/session/limit_tracker.h"
+#include "manipulation/session/straight_hand.h"
 #include "trajectory/motion/recorder.h"
 #include "workcell/entity/entity.h"
 
@@ -60,6 +61,15 @@ struct SessionOptions {
     double help = 1.0;
   };
   std::optional<Training> training;
+  /// A planner that works beside the hand, felt with this authority (0 to 1).
+  struct Assistance {
+    std::shared_ptr<PlanSource> planner;
+    double authority = 1.0;
+  };
+  std::optional<Assistance> assistance;
+  /// Virtual time only: this hand instead of the path `hand`, which then says only where the stylus begins and how long
+  /// the session lasts at most; it ends half a second after the goal of `assistance` is reached.
+  std::optional<StraightHandOptions> straight_hand;
 };
 
 /// One tick of the force loop, for --trace.
@@ -89,6 +99,16 @@ struct SessionForces {
   double energy_min_j = 0.0;
 };
 
+/// What a planner beside the hand did in a session.
+struct SessionPlan {
+  std::uint64_t ways = 0;         ///< Ways that were felt.
+  std::uint64_t insistences = 0;  ///< How often the hand insisted on another way.
+  bool solved = false;            ///< The goal was reached,
+  double solved_s = 0.0;          ///< and when.
+  /// Authority that acted: time (s) and value, each 0.1 s.
+  std::vector<std::pair<double, double>> authority;
+};
+
 /// State at the end of a session.
 struct SessionEnd {
   bool held = false;
@@ -113,6 +133,7 @@ struct SessionReport {
   std::vector<JointUse> joints;       ///< One per variable of a robot; empty for others.
   std::vector<std::string> notices;
   SessionEnd end;
+  std::optional<SessionPlan> plan;  ///< With assistance only.
   double training_share = 0.0;                           ///< Completed share of the expert's path.
   trajectory::Trajectory recording;                      ///< Without frames if not requested, or if nothing was moved.
   std::vector<trajectory::Trajectory> other_recordings;  ///< Of the entities that moved besides the chosen one, on its

@@ -69,6 +69,17 @@ TEST(Benchmark, EntersNoToothOfARack) {
   EXPECT_EQ(seen, 4);
 }
 
+/// A plan that changes ten times a second, in any direction, at the greatest authority.
+TEST(Benchmark, AChangingPlanIsNotFeltAsJumps) {
+  for (const char* scene : {"flat wall, changing plan", "corner of three planes, changing plan"}) {
+    const auto figures = runBenchmark(only(scene));
+    ASSERT_TRUE(figures.has_value());
+    ASSERT_EQ(figures->size(), 18U) << "M1 to M4 at three rates";
+    for (const Figure& figure : *figures)
+      EXPECT_TRUE(figure.pass()) << figure.id << " " << figure.rate << ": " << figure.value;
+  }
+}
+
 TEST(Benchmark, ChoosesOneFigure) {
   const auto figures = runBenchmark(only("m10.released"));
   ASSERT_TRUE(figures.has_value());

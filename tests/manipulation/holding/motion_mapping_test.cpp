@@ -184,5 +184,16 @@ TEST(Symmetric, BlocksAndBack) {
   EXPECT_EQ(packedIndex(5, 5), 20U);
 }
 
+RC_GTEST_PROP(MotionMapping, TurningTheAnchorTurnsTheTargetInItsPlace, ()) {
+  MotionMapping mapping = anyMapping();
+  const Pose X_DP = anyPose(0.05);
+  const Pose before = mapping.toCell(X_DP);
+  const dquat turn = quaternionFromRotationVector(anyVector(0.3));
+  mapping.turn(turn, X_DP);
+  const Pose after = mapping.toCell(X_DP);
+  RC_ASSERT(glm::distance(before.p, after.p) < 1e-9);
+  RC_ASSERT(glm::length(rotationVector(after.q * glm::conjugate(turn * before.q))) < 1e-6);
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation

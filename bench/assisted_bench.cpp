@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hand that only knows the straight way, a planner, and both together: how often and how soon they solve a move.
+//
+// usage: assisted_bench [extraction] [puzzle] [pipe] [robot] [runs=10] [limit=40] [full]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/assisted_scenes.h"
+#include "manipulation/session/session.h"
+#include "planning/live/live_planner.h"
+
+namespace hapticell::bench {
+namespace {
+
+/// Knows the goal and no way: what a session of the hand alone needs.
+class GoalOnly final : public manipulation::PlanSource {
+ public:
+  explicit GoalOnly(planning::Goal goal) : goal_(std::move(goal)) {}
+  void look(const manipulation::PlanView&) override {}
+  std::shared_ptr<const manipulation::PlannedWay> newest() override { return nullptr; }
+  bool isReached(const manipulation::PlanView& view) const override {
+    return planning::isAtGoal(goal_, view.X_WM, view.standing.joints, {}, 0.0);
+  }
+
+ private:
+  planning::Goal goal_;
+};
+
+struct Tried {
+  int runs = 0, solved = 0;
+  std::vector<double> seconds;      ///< Of those that were solved.
+  double most_step = 0.0, least_energy = 0.0, inside = 0.0;
+  std::uint64_t ways = 0, insistences = 0;
+
+  void add(bool is_solved, double time) {
+    ++runs;
+    if (!is_solved) return;
+    ++solved;
+    seconds.push_back(time);
+  }
+  /// With what was not solved as longer than all.
+  double median(double limit) {
+    std::sort(seconds.begin(), seconds.end());
+    const auto middle = static_cast<std::size_t>(runs / 2);
+    return middle < seconds.size() ? seconds[middle] : limit;
+  }
+};
+
+struct Limits {
+  int runs = 10;
+  double seconds = 40.0;
+};
+
+void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
+            const std::shared_ptr<manipulation::PlanSource>& planner, Tried& tried) {
+  manipulation::SessionOptions options;
+  options.entities = scene.entities;
+  options.pairs = scene.pairs;
+  options.entity = scene.entity;
+  options.configuration.manipulation.rate_hz = 250.0;
+  options.axes.mode = manipulation::AxesMode::kCell;
+  options.scale = {manipulation::ScaleLevel::kNumber, scene.scale};
+  manipulation::StraightHandOptions hand = manipulation::seededHand(seed);
+  hand.X_WG = scene.X_WG;
+  hand.scale = scene.scale;
+  options.straight_hand = hand;
+  const dvec3 way = [&] {
+    for (const workcell::Entity& entity : scene.entities)
+      if (entity.name == scene.entity && !entity.robot()) return scene.X_WG.p - entity.X_WE.p;
+    return dvec3(0.0);
+  }();
+  const Pose X_DStart = Pose::translation(-0.5 * way / scene.scale);
+  options.hand = haptic::HandPath({{0.0, X_DStart, 0}, {limit, X_DStart, 0}});
+  options.assistance = {planner, 1.0};
+  const auto report = manipulation::runSession(options);
+  if (!report) {
+    std::fprintf(stderr, "%s\n", report.error().message().c_str());
+    std::exit(2);
+  }
+  tried.add(report->plan->solved, report->plan->solved_s);
+  tried.most_step = std::max(tried.most_step, report->forces.force_max_step_n_per_ms);
+  tried.least_energy = std::min(tried.least_energy, report->forces.energy_min_j);
+  tried.inside = std::max(tried.inside, report->forces.penetration_blocked_m);
+  tried.ways += report->plan->ways;
+  tried.insistences += report->plan->insistences;
+  if (!report->plan->solved && std::getenv("ASSISTED_TELLS")) {
+    const Pose& X = report->end.X_WM;
+    std::fprintf(stderr, "  seed %llu ends at %.3f %.3f %.3f (%.2f %.2f %.2f %.2f), %llu ways\n",
+                 static_cast<unsigned long long>(seed), X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z,
+                 static_cast<unsigned long long>(report->plan->ways));
+  }
+}
+
+void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limits& limits) {
+  Tried hand, planner, both;
+  std::string name;
+  for (int run = 0; run < limits.runs; ++run) {
+    const auto seed = static_cast<std::uint64_t>(run) + 1;
+    const AssistedScene scene = make(seed);
+    name = scene.name;
+    // The planner alone, as the command plan does it.
+    planning::Problem problem;
+    problem.scene = manipulation::PreparedScene::prepare(scene.entities, scene.pairs, {});
+    problem.entity = problem.scene->find(scene.entity)->id;
+    problem.goal = scene.goal;
+    problem.clearance = scene.clearance;
+    problem.seed = seed;
+    problem.time_limit_s = limits.seconds;
+    problem.most_checks = 100'000'000;
+    const auto planned = planning::plan(problem);
+    if (!planned) {
+      std::fprintf(stderr, "%s\n", planned.error().message().c_str());
+      std::exit(2);
+    }
+    planner.add(planned->isSolved(), planned->seconds);
+    if (!planned->isSolved() && std::getenv("ASSISTED_TELLS"))
+      std::fprintf(stderr, "  planner, seed %llu: %s\n", static_cast<unsigned long long>(seed), english(planned->failure->reason).c_str());
+    handle(scene, seed, limits.seconds, std::make_shared<GoalOnly>(scene.goal), hand);
+    planning::LiveOptions live;
+    live.goal = scene.goal;
+    live.clearance = scene.clearance;
+    live.seed = seed;
+    live.most_checks = 100'000'000;
+    live.in_virtual_time = true;
+    live.cost_s = [](const planning::PlanResult& result) { return result.seconds; };
+    handle(scene, seed, limits.seconds, std::make_shared<planning::LivePlanner>(std::move(live)), both);
+    std::fprintf(stderr, "%s %d: planner %d, hand %d, both %d of %d\n", name.c_str(), run + 1, planner.solved,
+                 hand.solved, both.solved, run + 1);
+  }
+  const auto cell = [&](Tried& tried) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
+    return std::string(text);
+  };
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f | %.2f |\n", name.c_str(), cell(hand).c_str(),
+              cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / both.runs,
+              static_cast<double>(both.insistences) / both.runs, both.most_step, 1e3 * both.least_energy);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace hapticell::bench
+
+int main(int argc, char** argv) {
+  using namespace hapticell::bench;
+  Limits limits;
+  std::vector<std::string> wanted;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  for (const std::string& word : words) {
+    if (word == "full") limits.runs = 100;
+    else if (word.starts_with("runs=")) limits.runs = std::max(1, std::atoi(word.c_str() + 5));
+    else if (word.starts_with("limit=")) limits.seconds = std::max(1.0, std::atof(word.c_str() + 6));
+    else wanted.push_back(word);
+  }
+  if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
+  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms | mJ |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& one : wanted) {
+    if (one == "extraction") compare([](std::uint64_t) { return extractionScene(); }, limits);
+    if (one == "puzzle") compare([](std::uint64_t) { return wirePuzzleScene(); }, limits);
+    if (one == "pipe") compare([](std::uint64_t) { return bentPipeScene(); }, limits);
+    if (one == "robot") compare([](std::uint64_t seed) { return robotScene(seed); }, limits);
+  }
+  return 0;
+}

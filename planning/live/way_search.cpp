@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/live/way_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::planning {
+
+namespace {
+
+/// m a radian, as trajectory::PathProgress. Half: turning is cheap; twice: ways that turn little are preferred.
+constexpr double kMetresPerRadian = 0.1;
+/// m of way between two poses of a robot's way: its tool goes in arcs. Half: twice the poses; twice: 0.1 mm off an arc
+/// of 0.5 m.
+constexpr double kArcStep = 0.02;
+/// m: a held entity at rest against something is farther away than this (FreeMotion::kStandOff). Half: still; twice:
+/// its start counts as blocked.
+constexpr double kTouching = 2e-6;
+/// Places tried around a start that is too near to something, and the farthest, m. Half: a corner is left half as
+/// often; twice: twice the time where there is no room at all.
+constexpr int kTries = 200;
+constexpr double kFarthest = 0.02;
+/// Of the push (out of the tube, m), how far ahead the hand's way is taken to lead: as far as it has gone astray, at
+/// most three times. Half: the plan turns back at once; twice: often not free.
+constexpr double kAhead[] = {3.0, 2.0, 1.0, 0.5};
+/// Configurations of the hand's way that are given to a search, evenly. Half: bridges in coarse steps; twice: more
+/// checks before each search.
+constexpr std::size_t kMostHints = 64;
+
+Pose toolOf(FreeSpace& space, const EntityConfiguration& at) {
+  return space.toolAt(at);
+}
+
+double wayBetween(const Pose& a, const Pose& b) {
+  const trajectory::PoseDistance off = trajectory::distanceBetween(a, b);
+  return off.position + kMetresPerRadian * off.angle;
+}
+
+/// At most so many of them, evenly, the last one among them.
+std::vector<EntityConfiguration> thinned(const std::vector<EntityConfiguration>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<EntityConfiguration> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+  return some;
+}
+
+}  // namespace
+
+bool WaySearch::prepare(const manipulation::PlanView& view) {
+  if (view.scene == scene_ && view.entity == entity_ && space_) return true;
+  scene_ = view.scene;
+  entity_ = view.entity;
+  space_.reset();
+  auto made = FreeSpace::create(view.scene, view.entity, configuration_, view.placements);
+  if (!made) return false;
+  space_.emplace(std::move(*made));
+  return true;
+}
+
+/// The start itself, or a place near it that keeps the clearance and can be reached from it.
+std::optional<EntityConfiguration> WaySearch::freeStart(const EntityConfiguration& at) {
+  space_->setClearance(options_.clearance);
+  if (space_->isFree(at)) return at;
+  std::mt19937_64 random(options_.seed + searches_);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < kTries; ++i) {
+    const double reach = kFarthest * std::max(0.05, static_cast<double>(i) / kTries);
+    EntityConfiguration near = at;
+    if (space_->hasJoints()) {
+      for (double& joint : near.joints) joint += reach * normal(random);
+    } else {
+      const dvec3 way(normal(random), normal(random), normal(random)), turn(normal(random), normal(random), normal(random));
+      near.X_WE = displaced(at.X_WE, {reach * way, 3.0 * reach * turn});
+    }
+    space_->setClearance(options_.clearance);
+    if (!space_->isFree(near)) continue;
+    space_->setClearance(kTouching);
+    if (space_->isFree(at, near)) return near;
+  }
+  return std::nullopt;
+}
+
+/// A place on the hand's own way, on from where it pushes.
+std::optional<Pose> WaySearch::passedByHand(const manipulation::PlanView& view, const EntityConfiguration& start) {
+  if (view.push_W == dvec3(0.0)) return std::nullopt;
+  space_->setClearance(options_.clearance);
+  for (const double share : kAhead) {
+    Pose X_WT = toolOf(*space_, start);
+    X_WT.p += share * view.push_W;
+    if (space_->hasJoints()) return X_WT;  // Whether joints bring the tool there is for the plan to find out.
+    EntityConfiguration there = start;
+    there.X_WE = X_WT;
+    if (space_->isFree(there) && space_->isFree(start, there)) return X_WT;
+  }
+  return std::nullopt;
+}
+
+std::vector<EntityConfiguration> WaySearch::hintsFor(const manipulation::PlanView& view) const {
+  std::vector<EntityConfiguration> hints = thinned(*view.trail, kMostHints);
+  if (space_->hasJoints()) return hints;
+  for (const Pose& X_WT : options_.hints) hints.push_back({X_WT, {}});
+  return hints;
+}
+
+/// Poses of the moved frame; a robot's tool goes in arcs between waypoints.
+void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const Pose& X_TM, Found& found) const {
+  const auto add = [&](const Pose& X_WT) {
+    const Pose X_WM = X_WT * X_TM;
+    const double way = found.X_WM.empty() ? 0.0 : wayBetween(found.X_WM.back(), X_WM);
+    if (!found.X_WM.empty() && way < 1e-6) return;
+    found.length += way;
+    found.X_WM.push_back(X_WM);
+  };
+  add(space_->toolAt(waypoints.front()));
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const double bound = space_->hasJoints() ? space_->pathBound(waypoints[i - 1], waypoints[i]) : 0.0;
+    const int pieces = std::clamp(static_cast<int>(std::ceil(bound / kArcStep)), 1, 200);
+    for (int k = 1; k <= pieces; ++k) {
+      add(space_->toolAt(space_->between(waypoints[i - 1], waypoints[i], static_cast<double>(k) / pieces)));
+    }
+  }
+  if (found.X_WM.size() < 2) found.X_WM.clear();
+}
+
+WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::atomic<bool>* stop) {
+  Found found;
+  found.answers = view.insistences;
+  if (!prepare(view)) return found;
+  ++searches_;
+  const Pose X_TM = space_->toolAt(view.standing).inverse() * view.X_WM;
+  // What a robot's hand moves must be its tool: else the joints that are planned would not be those that follow.
+  if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6) return found;
+  const auto start = freeStart(view.standing);
+  if (!start) {
+    Failure& failure = found.result.failure.emplace();
+    failure.kind = Failure::Kind::kStart;
+    failure.reason = Text("there is no room around the place where it is");
+    return found;
+  }
+  Problem problem;
+  problem.scene = view.scene;
+  problem.entity = view.entity;
+  problem.placements = view.placements;
+  problem.start = *start;
+  problem.goal = options_.goal;
+  problem.clearance = options_.clearance;
+  problem.hints = hintsFor(view);
+  problem.seed = options_.seed + searches_;
+  problem.most_checks = options_.most_checks;
+  problem.time_limit_s = options_.most_seconds;
+  problem.stop = stop;
+  if (const auto passed = passedByHand(view, *start)) problem.through = {*passed};
+  auto planned = plan(problem, *space_);
+  const bool through = !problem.through.empty();
+  if (through && planned && !planned->plan && planned->failure->kind != Failure::Kind::kCancelled) {
+    // Nothing leads on from there: any way is better than none.
+    problem.through.clear();
+    const std::size_t before = planned->checks;
+    planned = plan(problem, *space_);
+    if (planned) planned->checks += before;
+  }
+  if (!planned) return found;
+  found.result = std::move(*planned);
+  if (!found.result.plan) return found;
+  std::vector<EntityConfiguration> waypoints = found.result.plan->waypoints;
+  waypoints.insert(waypoints.begin(), view.standing);
+  sample(waypoints, X_TM, found);
+  return found;
+}
+
+}  // namespace hapticell::planning

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "manipulation/engine/plan_source.h"
+#include "planning/live/live_planner.h"
+
+namespace hapticell::planning {
+
+/// One search of a LivePlanner: from the newest state of the hand to a way of the moved frame. Keeps the space of its
+/// scene between searches. One thread.
+class WaySearch {
+ public:
+  WaySearch(const LiveOptions& options, const config::Configuration& configuration)
+      : options_(options), configuration_(configuration) {}
+
+  struct Found {
+    PlanResult result;
+    std::vector<Pose> X_WM;     ///< Empty: no way.
+    double length = 0.0;        ///< m, with 0.1 m a radian.
+    std::uint64_t answers = 0;  ///< As PlannedWay::answers.
+  };
+  /// `stop` ends it early, without a way.
+  Found find(const manipulation::PlanView& view, const std::atomic<bool>* stop);
+
+  /// Of the space that was made last; null before the first search.
+  const FreeSpace* space() const { return space_ ? &*space_ : nullptr; }
+
+ private:
+  bool prepare(const manipulation::PlanView& view);
+  std::optional<EntityConfiguration> freeStart(const EntityConfiguration& at);
+  std::optional<Pose> passedByHand(const manipulation::PlanView& view, const EntityConfiguration& start);
+  std::vector<EntityConfiguration> hintsFor(const manipulation::PlanView& view) const;
+  void sample(const std::vector<EntityConfiguration>& waypoints, const Pose& X_TM, Found& found) const;
+
+  const LiveOptions options_;
+  const config::Configuration configuration_;
+  std::shared_ptr<const manipulation::PreparedScene> scene_;
+  workcell::EntityId entity_ = 0;
+  std::optional<FreeSpace> space_;
+  std::uint64_t searches_ = 0;
+};
+
+}  // namespace hapticell::planning

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/live/live_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "geometry/shapes/shapes.h"
+#include "manipulation/checks/path_check.h"
+#include "manipulation/session/session.h"
+#include "tests/manipulation/session/test_cells.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::planning {
+namespace {
+
+using manipulation::PlanView;
+using manipulation::test::solid;
+
+/// A box (1) of 40 mm before a wall (2 to 5) with a window of 80 mm that is beside the straight way.
+std::vector<workcell::Entity> windowCell() {
+  return {solid(1, "box", geometry::makeBox(dvec3(0.04)), Pose::translation({-0.1, 0.0, 0.0})),
+          solid(2, "left", geometry::makeBox({0.02, 0.2, 0.4}), Pose::translation({0.0, -0.04, 0.0})),
+          solid(3, "right", geometry::makeBox({0.02, 0.1, 0.4}), Pose::translation({0.0, 0.19, 0.0})),
+          solid(4, "above", geometry::makeBox({0.02, 0.4, 0.16}), Pose::translation({0.0, 0.0, 0.12})),
+          solid(5, "below", geometry::makeBox({0.02, 0.4, 0.16}), Pose::translation({0.0, 0.0, -0.12}))};
+}
+
+LiveOptions throughWindow() {
+  LiveOptions options;
+  options.goal = goal::ToPose{Pose::translation({0.1, 0.0, 0.0})};
+  options.in_virtual_time = true;
+  return options;
+}
+
+PlanView viewOf(const std::shared_ptr<const manipulation::PreparedScene>& scene) {
+  PlanView view;
+  view.scene = scene;
+  view.entity = 1;
+  view.standing.X_WE = view.X_WM = scene->find(1)->X_WE;
+  view.trail = std::make_shared<const manipulation::Trail>(manipulation::Trail{view.standing});
+  return view;
+}
+
+std::shared_ptr<const manipulation::PreparedScene> prepared() {
+  return manipulation::PreparedScene::prepare(windowCell(), {}, {});
+}
+
+/// Looks each 10 ms until there is a way other than `old`.
+std::shared_ptr<const manipulation::PlannedWay> wayOf(LivePlanner& planner, PlanView& view, double seconds,
+                                                      const manipulation::PlannedWay* old = nullptr) {
+  for (int i = 0; i < std::lround(100.0 * seconds); ++i) {
+    view.time_ns += 10'000'000;
+    planner.look(view);
+    if (const auto way = planner.newest(); way && way.get() != old) return way;
+  }
+  return nullptr;
+}
+
+/// By the check of whole motions, which shares nothing with the search.
+void expectFree(const manipulation::PlannedWay& way) {
+  trajectory::Trajectory motion;
+  motion.entity = "box";
+  for (std::size_t i = 0; i < way.X_WM.size(); ++i)
+    motion.addFrame({.t = static_cast<double>(i), .X_WT = way.X_WM[i]});
+  const auto checked = manipulation::checkPath(prepared(), "box", motion, {}, {});
+  ASSERT_TRUE(checked.has_value()) << checked.error().message();
+  EXPECT_TRUE(checked->findings.empty());
+}
+
+TEST(LivePlanner, LeadsThroughTheWindow) {
+  LivePlanner planner(throughWindow());
+  PlanView view = viewOf(prepared());
+  const auto way = wayOf(planner, view, 5.0);
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->X_WM.front().p, view.X_WM.p);
+  EXPECT_LT(glm::distance(way->X_WM.back().p, dvec3(0.1, 0.0, 0.0)), 1e-6);
+  expectFree(*way);
+  EXPECT_FALSE(planner.isReached(view));
+  view.standing.X_WE = view.X_WM = way->X_WM.back();
+  EXPECT_TRUE(planner.isReached(view));
+}
+
+TEST(LivePlanner, GivesTheSameWaysInVirtualTime) {
+  LivePlanner first(throughWindow()), second(throughWindow());
+  PlanView one = viewOf(prepared()), two = viewOf(prepared());
+  const auto a = wayOf(first, one, 5.0), b = wayOf(second, two, 5.0);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(one.time_ns, two.time_ns);
+  ASSERT_EQ(a->X_WM.size(), b->X_WM.size());
+  for (std::size_t i = 0; i < a->X_WM.size(); ++i) EXPECT_EQ(a->X_WM[i].p, b->X_WM[i].p);
+}
+
+TEST(LivePlanner, AWayStaysWhileItIsFollowed) {
+  LivePlanner planner(throughWindow());
+  PlanView view = viewOf(prepared());
+  const auto way = wayOf(planner, view, 5.0);
+  ASSERT_TRUE(way);
+  view.way_number = way->number;
+  view.way_left = 0.3;
+  for (int i = 0; i < 100; ++i) {
+    view.time_ns += 10'000'000;
+    view.way_left -= 0.002;
+    view.standing.X_WE.p.x = view.X_WM.p.x += 0.0002;
+    planner.look(view);
+    EXPECT_EQ(planner.newest(), way);
+  }
+  EXPECT_GT(planner.figures().searches, 3U) << "it goes on planning all the time";
+}
+
+TEST(LivePlanner, PassesWhereTheHandInsists) {
+  LivePlanner planner(throughWindow());
+  PlanView view = viewOf(prepared());
+  const auto way = wayOf(planner, view, 5.0);
+  ASSERT_TRUE(way);
+  view.way_number = way->number;
+  view.way_left = 0.3;
+  view.insistences = 1;
+  view.push_W = {0.0, 0.0, 0.03};
+  const auto answer = wayOf(planner, view, 5.0, way.get());
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->answers, 1U);
+  double highest = 0.0;
+  for (const Pose& X_WM : answer->X_WM) highest = std::max(highest, X_WM.p.z);
+  EXPECT_GT(highest, 0.025) << "up, where the hand pushed";
+  expectFree(*answer);
+}
+
+TEST(LivePlanner, LeavesAStartThatTouches) {
+  auto entities = windowCell();
+  entities[0].X_WE.p.x = -0.03 - 1e-4;  // 0.1 mm from the wall.
+  LivePlanner planner(throughWindow());
+  PlanView view = viewOf(manipulation::PreparedScene::prepare(entities, {}, {}));
+  const auto way = wayOf(planner, view, 5.0);
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->X_WM.front().p, view.X_WM.p);
+  expectFree(*way);
+}
+
+TEST(LivePlanner, WorksInItsOwnThread) {
+  LiveOptions options = throughWindow();
+  options.in_virtual_time = false;
+  LivePlanner planner(options);
+  PlanView view = viewOf(prepared());
+  std::shared_ptr<const manipulation::PlannedWay> way;
+  while (!way) {  // Ends with the test's own limit.
+    planner.look(view);
+    way = planner.newest();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  expectFree(*way);
+}
+
+TEST(LivePlanner, SaysWhenThereIsNoWay) {
+  auto entities = windowCell();
+  entities.push_back(solid(6, "lid", geometry::makeBox({0.02, 0.5, 0.5}), Pose::translation({0.05, 0.0, 0.0})));
+  entities[0].locked = false;
+  LiveOptions options = throughWindow();
+  options.goal = goal::ToPose{Pose::translation({0.05, 0.0, 0.0})};  // Inside the lid.
+  LivePlanner planner(options);
+  PlanView view = viewOf(manipulation::PreparedScene::prepare(entities, {}, {}));
+  EXPECT_EQ(wayOf(planner, view, 2.0), nullptr);
+  ASSERT_TRUE(planner.figures().failure.has_value());
+  EXPECT_EQ(planner.figures().failure->blocked_by, "lid");
+}
+
+TEST(IsAtGoal, KnowsEachKindOfGoal) {
+  const Pose there{{0.1, 0.2, 0.3}, quaternionFromRotationVector({0.0, 0.5, 0.0})};
+  const geometry::Bounds bounds{dvec3(-1.0), dvec3(1.0)};
+  EXPECT_TRUE(isAtGoal(goal::ToPose{there}, {there.p + dvec3(1e-3, 0, 0), there.q}, {}, bounds, 0.1));
+  EXPECT_FALSE(isAtGoal(goal::ToPose{there}, {there.p + dvec3(3e-3, 0, 0), there.q}, {}, bounds, 0.1));
+  EXPECT_FALSE(isAtGoal(goal::ToPose{there}, {there.p, dquat(1, 0, 0, 0)}, {}, bounds, 0.1));
+  EXPECT_TRUE(isAtGoal(goal::ToJoints{{1.0, 2.0}}, {}, {1.01, 2.0}, bounds, 0.0));
+  EXPECT_FALSE(isAtGoal(goal::ToJoints{{1.0, 2.0}}, {}, {1.1, 2.0}, bounds, 0.0));
+  EXPECT_TRUE(isAtGoal(goal::ToRegion{there, dvec3(0.1), 0.2}, {there.p + dvec3(0.05), there.q}, {}, bounds, 0.0));
+  EXPECT_FALSE(isAtGoal(goal::ToRegion{there, dvec3(0.1), 0.2}, {there.p + dvec3(0.3), there.q}, {}, bounds, 0.0));
+  EXPECT_FALSE(isAtGoal(goal::OutOfCell{0.01}, Pose::translation({1.05, 0, 0}), {}, bounds, 0.1));
+  EXPECT_TRUE(isAtGoal(goal::OutOfCell{0.01}, Pose::translation({1.12, 0, 0}), {}, bounds, 0.1));
+}
+
+}  // namespace
+}  // namespace hapticell::planning
