@@ -8,6 +8,7 @@
 #include <clocale>
 #include <exception>
 
+#include "cli/access/access_commands.h"
 #include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
@@ -68,6 +69,7 @@ int runCommandLine(int argc, char** argv) {
   Action chosen;
   Subcommand words(app);
   // One line a command; each comes with the file that defines it.
+  addAccessCommand(words, chosen);
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
   addDistanceCommand(words, chosen);

@@ -4,23 +4,10 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <string>
 
 namespace hapticell::cli {
-
-namespace {
-
-std::atomic<bool> stop_asked{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // Set by a signal handler.
-
-void askToStop(int signal) {
-  stop_asked = true;
-  std::signal(signal, SIG_DFL);
-}
-
-}  // namespace
 
 std::string durationWords(double seconds) {
   char text[60];
@@ -55,21 +42,6 @@ void StudyProgress::show(const studies::RunProgress& progress) {
                progress.total, rate, durationWords(left).c_str(), terminal_ ? "" : "\n");
   std::fflush(stderr);
   shown_ = true;
-}
-
-StopSignal::StopSignal() {
-  stop_asked = false;
-  std::signal(SIGINT, askToStop);
-  std::signal(SIGTERM, askToStop);
-}
-
-StopSignal::~StopSignal() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
-
-const std::atomic<bool>& StopSignal::asked() const {
-  return stop_asked;
 }
 
 }  // namespace hapticell::cli

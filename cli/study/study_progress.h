@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <chrono>
 
 #include "studies/runner/study_run.h"
@@ -26,15 +25,5 @@ class StudyProgress {
 
 /// "1 h 05 min", "12 s"
 std::string durationWords(double seconds);
-
-/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program.
-class StopSignal {
- public:
-  StopSignal();
-  ~StopSignal();
-  StopSignal(const StopSignal&) = delete;
-  StopSignal& operator=(const StopSignal&) = delete;
-  const std::atomic<bool>& asked() const;
-};
 
 }  // namespace hapticell::cli

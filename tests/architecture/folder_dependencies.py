@@ -38,6 +38,7 @@ ALLOWED = {
     "manipulation": ENGINES | {"workcell", "haptic"},
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
     "studies": ENGINES | {"workcell", "manipulation"},
+    "access": ENGINES | {"workcell", "manipulation", "planning"},
     "cli": {"*"},
     "app": {"*"},
 }

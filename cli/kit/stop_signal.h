@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+
+namespace hapticell::cli {
+
+/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+  const std::atomic<bool>& asked() const;
+};
+
+}  // namespace hapticell::cli
