@@ -5,14 +5,13 @@
 #include <bit>
 #include <map>
 
+#include "access/planned_way.h"
 #include "access/removal_order.h"
 
 namespace hapticell::access {
 
 namespace {
 
-/// Units that are taken away before a bent way is looked for once more. All that can go by single steps: half and twice
-/// do not apply.
 class Asking {
  public:
   Asking(const AccessQuestion& question, const std::function<void(double)>& progress, const std::atomic<bool>& cancel)
@@ -71,8 +70,10 @@ class Asking {
     } else if (found) {
       addSteps(found->units);
       answer_.is_shortest = found->is_shortest;
+    } else if (auto planned = plannedWay(scene(), 0, 0, cancel_)) {
+      answer_.order.push_back({0, question_.part, 0, std::move(*planned)});
     } else {
-      bentAfterOthers();
+      wayAfterOthers();
     }
     answer_.removable = answer_.order.size() == 1;
     if (!answer_.removable) tellBlockers();
@@ -110,8 +111,9 @@ class Asking {
     return {};
   }
 
-  /// All others go as long as one can; then those that the bent way does not need stay.
-  void bentAfterOthers() {
+  /// All others go as long as one can; then those that a bent or planned way does not
+  /// need stay.
+  void wayAfterOthers() {
     std::vector<std::size_t> went;
     UnitSet gone = 0;
     const auto can = [&](std::size_t unit) {
@@ -129,6 +131,7 @@ class Asking {
     }
     if (cancel_ || went.empty()) return;
     auto way = bentWay(scene(), 0, gone);
+    if (!way) way = plannedWay(scene(), 0, gone, cancel_);
     if (!way) return;
     // From the last that went: what is not in the way stays, if nothing that goes needs it to go.
     UnitSet needed = gone;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "access/ordered.h"
 #include "access/removal_directions.h"
 #include "planning/plan.h"
 
@@ -60,7 +61,7 @@ std::vector<Pose> startsOf(const RemovalScene& scene, std::size_t unit, UnitSet 
     // Half way between the seat and what stops it, where it is widest as often as not.
     if (free >= kFirstPiece) pieces.push_back({free, Pose{rest.p + 0.5 * free * direction, rest.q}});
   }
-  std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  pieces = ordered(std::move(pieces), [](const auto& piece) { return -piece.first; });
   std::vector<Pose> starts{rest};
   for (std::size_t i = 0; i < pieces.size() && i < kMostStarts; ++i) starts.push_back(pieces[i].second);
   return starts;
@@ -78,7 +79,7 @@ std::vector<Pose> goalsOf(const RemovalScene& scene, std::size_t unit, const Pos
       sides.push_back({std::abs(goal.p[axis] - rest.p[axis]), goal});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  sides = ordered(std::move(sides), [](const auto& side) { return side.first; });
   std::vector<Pose> goals;
   for (std::size_t i = 0; i < kMostGoals; ++i) goals.push_back(sides[i].second);
   return goals;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "access/ordered.h"
 #include "collision/queries/proximity_query.h"
 #include "collision/surfaces/surface_model.h"
 
@@ -96,13 +97,9 @@ std::vector<dvec3> removalDirections(const RemovalScene& scene, std::size_t unit
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
         if (x * x + y * y + z * z > 1) directions.addBoth(dvec3(x, y, z));
-  std::vector<std::pair<long, std::size_t>> order;  // By micrometres of way; of equal ones as they came.
-  for (std::size_t i = 0; i < directions.all.size(); ++i)
-    order.emplace_back(std::lround(1e6 * scene.wayOut(unit, directions.all[i])), i);
-  std::sort(order.begin(), order.end());
-  std::vector<dvec3> sorted;
-  for (const auto& one : order) sorted.push_back(directions.all[one.second]);
-  return sorted;
+  // By micrometres of way.
+  return ordered(std::move(directions.all),
+                 [&](const dvec3& direction) { return std::lround(1e6 * scene.wayOut(unit, direction)); });
 }
 
 }  // namespace hapticell::access

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "access/ordered.h"
 #include "access/thinned_mesh.h"
 #include "geometry/system/in_parallel.h"
 #include "geometry/system/listed.h"
@@ -136,9 +137,8 @@ void RemovalScene::addUnits(const Entity& part) {
     (isMovable(unit) ? units_ : standing).push_back(std::move(unit));
   }
   // The part itself first, then the nearest: beyond kMostMovable they count as fixed.
-  std::stable_sort(units_.begin(), units_.end(), [&](const RemovalUnit& a, const RemovalUnit& b) {
-    if ((a.entity == part.id) != (b.entity == part.id)) return a.entity == part.id;
-    return gapOf(a.bounds_W, about) < gapOf(b.bounds_W, about);
+  units_ = ordered(std::move(units_), [&](const RemovalUnit& unit) {
+    return std::pair(unit.entity != part.id, gapOf(unit.bounds_W, about));
   });
   movable_ = std::min(units_.size(), kMostMovable);
   if (units_.size() > movable_)

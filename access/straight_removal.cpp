@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "access/ordered.h"
 #include "access/removal_directions.h"
 #include "access/sweep_limits.h"
 #include "collision/queries/motion_check.h"
@@ -43,11 +44,8 @@ bool meets(const RemovalScene& scene, const RemovalUnit& moved, const RemovalUni
 
 /// Without those that need more than another one does.
 std::vector<StraightWay> leastOf(std::vector<StraightWay> ways) {
-  std::stable_sort(ways.begin(), ways.end(), [](const StraightWay& a, const StraightWay& b) {
-    return std::popcount(a.blockers) < std::popcount(b.blockers);
-  });
   std::vector<StraightWay> least;
-  for (StraightWay& way : ways) {
+  for (StraightWay& way : ordered(std::move(ways), [](const StraightWay& one) { return std::popcount(one.blockers); })) {
     const bool more = std::any_of(least.begin(), least.end(), [&](const StraightWay& one) {
       return (one.blockers & ~way.blockers) == 0;
     });

@@ -14,6 +14,7 @@
 #include "cli/ergonomics/ergonomics_commands.h"
 #include "cli/files/file_commands.h"
 #include "cli/mannequin/mannequin_command.h"
+#include "cli/plan/plan_command.h"
 #include "cli/robot/robot_commands.h"
 #include "cli/session/session_commands.h"
 #include "cli/study/study_commands.h"
@@ -83,6 +84,7 @@ int runCommandLine(int argc, char** argv) {
   addTrajectoryCommand(words, chosen);
   addMannequinCommand(words, chosen);
   addPairCommand(words, chosen);
+  addPlanCommand(words, chosen);
   addWorkcellCommand(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);

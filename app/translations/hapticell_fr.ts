@@ -411,6 +411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 donne %2.</translation>
     </message>
     <message>
+        <source>%1 goals</source>
+        <translation>%1 buts</translation>
+    </message>
+    <message>
         <source>%1 goes with %2, which the other stylus holds</source>
         <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
@@ -1583,6 +1587,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ; attendu : %2</translation>
     </message>
     <message>
+        <source>%1; most often %2 was in the way</source>
+        <translation>%1 ; le plus souvent, %2 faisait obstacle</translation>
+    </message>
+    <message>
         <source>%1; no limit is assumed</source>
         <translation>%1 ; l'absence de butée est supposée</translation>
     </message>
@@ -2143,6 +2151,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--to</translation>
     </message>
     <message>
+        <source>--to, --to-joints, --out</source>
+        <translation>--to, --to-joints, --out</translation>
+    </message>
+    <message>
         <source>--tolerance, --angle-tolerance</source>
         <translation>--tolerance, --angle-tolerance</translation>
     </message>
@@ -2207,6 +2219,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
     </message>
     <message>
+        <source>.htraj or .csv</source>
+        <translation>.htraj ou .csv</translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2259,6 +2275,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0 ou plus</translation>
     </message>
     <message>
+        <source>0 or more metres</source>
+        <translation>0 mètre ou plus</translation>
+    </message>
+    <message>
         <source>0 or more, within the bounds of docs/library/protocol.md</source>
         <translation>0 ou plus, dans les limites de docs/library/protocol.md</translation>
     </message>
@@ -2269,6 +2289,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>0 to 1 m</source>
         <translation>de 0 à 1 m</translation>
+    </message>
+    <message>
+        <source>0 to 10 metres</source>
+        <translation>de 0 à 10 mètres</translation>
     </message>
     <message>
         <source>0 to 6</source>
@@ -2885,6 +2909,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As recorded</source>
         <translation>Comme enregistré</translation>
+    </message>
+    <message>
+        <source>Ask for a larger clearance, or for another seed.</source>
+        <translation>Demandez une distance de passage plus grande, ou une autre graine.</translation>
     </message>
     <message>
         <source>Ask for a stature instead.</source>
@@ -10499,6 +10527,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
+        <source>a clearance that is not valid</source>
+        <translation>une distance de passage non valable</translation>
+    </message>
+    <message>
         <source>a colour out of range</source>
         <translation>une couleur hors limites</translation>
     </message>
@@ -10807,6 +10839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un risque élevé</translation>
     </message>
     <message>
+        <source>a hint that is not valid</source>
+        <translation>une indication non valable</translation>
+    </message>
+    <message>
         <source>a home position in which the six legs fix the platform</source>
         <translation>une position de repos où les six jambes tiennent la plateforme</translation>
     </message>
@@ -11067,6 +11103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la posture entière d'un mannequin (moved: whole)</translation>
     </message>
     <message>
+        <source>a margin that is not valid</source>
+        <translation>une marge non valable</translation>
+    </message>
+    <message>
         <source>a marker for each of them</source>
         <translation>un marqueur pour chacun d'eux</translation>
     </message>
@@ -11127,8 +11167,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement en AMC</translation>
     </message>
     <message>
+        <source>a motion of '%1'</source>
+        <translation>un mouvement de « %1 »</translation>
+    </message>
+    <message>
         <source>a motion of one hand only</source>
         <translation>le mouvement d'une main seule</translation>
+    </message>
+    <message>
+        <source>a motion of the entity that was planned for</source>
+        <translation>un mouvement de l’entité planifiée</translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not define</source>
@@ -11295,6 +11343,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pièce encore présente dans le fichier</translation>
     </message>
     <message>
+        <source>a path cannot be planned for a %1</source>
+        <translation>aucun trajet ne peut être planifié pour une entité du type %1</translation>
+    </message>
+    <message>
         <source>a path of fewer than two points</source>
         <translation>une trajectoire de moins de deux points</translation>
     </message>
@@ -11331,8 +11383,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un port de 0 (n'importe lequel) à 65535</translation>
     </message>
     <message>
+        <source>a pose and sizes of 0 or more</source>
+        <translation>une pose et des tailles d’au moins 0</translation>
+    </message>
+    <message>
         <source>a pose of '%1'</source>
         <translation>une pose de '%1'</translation>
+    </message>
+    <message>
+        <source>a pose or joints, because it is fixed by its base</source>
+        <translation>une pose ou des articulations, car l’entité est fixée par sa base</translation>
     </message>
     <message>
         <source>a pose that can be resolved</source>
@@ -11343,8 +11403,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pose qui bouge alors que les axes sont immobiles</translation>
     </message>
     <message>
+        <source>a pose that is not valid</source>
+        <translation>une pose non valable</translation>
+    </message>
+    <message>
+        <source>a pose, because it has no joints</source>
+        <translation>une pose, car l’entité n’a pas d’articulations</translation>
+    </message>
+    <message>
         <source>a position %1 from the centre of the workspace</source>
         <translation>une position à %1 du centre de l'espace de travail</translation>
+    </message>
+    <message>
+        <source>a position and a unit quaternion</source>
+        <translation>une position et un quaternion unitaire</translation>
     </message>
     <message>
         <source>a position from a register</source>
@@ -11455,6 +11527,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
     </message>
     <message>
+        <source>a region that is not valid</source>
+        <translation>une région non valable</translation>
+    </message>
+    <message>
         <source>a result of comb() or perm() beyond 64 bits</source>
         <translation>comb() ou perm() au-delà de 64 bits</translation>
     </message>
@@ -11493,6 +11569,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot's file or library:NAME, or --collision-free with --workcell and --entity</source>
         <translation>le fichier d'un robot ou library:NAME, ou --collision-free avec --workcell et --entity</translation>
+    </message>
+    <message>
+        <source>a robot, a mechanism or a solid with a shape</source>
+        <translation>un robot, un mécanisme ou un solide avec une forme</translation>
     </message>
     <message>
         <source>a robot, which can have a tool</source>
@@ -11653,6 +11733,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a start or end speed that the limits do not allow</source>
         <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
+    </message>
+    <message>
+        <source>a start that is not valid</source>
+        <translation>un départ non valable</translation>
     </message>
     <message>
         <source>a step above 0 that gives at most 10 million frames</source>
@@ -12719,6 +12803,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus peak_force, %1</translation>
     </message>
     <message>
+        <source>at the start %1 is %2 from %3, nearer than the clearance of %4</source>
+        <translation>au départ, %1 est à %2 de %3, plus près que la distance de passage de %4</translation>
+    </message>
+    <message>
+        <source>at the start %1 touches %2</source>
+        <translation>au départ, %1 touche %2</translation>
+    </message>
+    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
@@ -13199,6 +13291,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des surfaces exactes</translation>
     </message>
     <message>
+        <source>exactly one of these options</source>
+        <translation>exactement une de ces options</translation>
+    </message>
+    <message>
         <source>exactly one robot in a URDF</source>
         <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
@@ -13305,6 +13401,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>finite numbers and a unit quaternion</source>
         <translation>des nombres finis et un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>finite numbers for all joints</source>
+        <translation>des nombres finis pour toutes les articulations</translation>
     </message>
     <message>
         <source>finite numbers of a plausible size</source>
@@ -13873,6 +13973,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>joint '%1' names the link '%2', which is not in the file</source>
         <translation>l'axe '%1' cite le segment '%2', qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>joint '%1' of the goal is outside its limits</source>
+        <translation>l’articulation « %1 » du but est hors de ses limites</translation>
     </message>
     <message>
         <source>joint '%1' twice</source>
@@ -14731,6 +14835,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun chemin</translation>
     </message>
     <message>
+        <source>no plan: %1</source>
+        <translation>aucun trajet : %1</translation>
+    </message>
+    <message>
         <source>no points</source>
         <translation>pas de points</translation>
     </message>
@@ -14817,6 +14925,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no variant %1</source>
         <translation>pas de variante %1</translation>
+    </message>
+    <message>
+        <source>no way to the goal was found in %1 s</source>
+        <translation>aucun chemin vers le but n’a été trouvé en %1 s</translation>
+    </message>
+    <message>
+        <source>no way to the goal was found with %1 checks</source>
+        <translation>aucun chemin vers le but n’a été trouvé en %1 vérifications</translation>
     </message>
     <message>
         <source>no work task is named '%1'</source>
@@ -15203,6 +15319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>hors limites</translation>
     </message>
     <message>
+        <source>out of the cell</source>
+        <translation>hors de la cellule</translation>
+    </message>
+    <message>
         <source>outside the folder: %1</source>
         <translation>hors du dossier : %1</translation>
     </message>
@@ -15305,6 +15425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>plain text (UTF-8)</source>
         <translation>du texte simple (UTF-8)</translation>
+    </message>
+    <message>
+        <source>planning was cancelled</source>
+        <translation>la planification a été annulée</translation>
     </message>
     <message>
         <source>png, jpg, bmp or tiff</source>
@@ -16379,6 +16503,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>les repères de %1 ne sont pas orientés comme à la position de repos ; ils sont déduits des positions des articulations</translation>
     </message>
     <message>
+        <source>the goal is not free with a clearance of %1: %2</source>
+        <translation>le but n’est pas libre avec une distance de passage de %1 : %2</translation>
+    </message>
+    <message>
+        <source>the goal is out of reach of %1</source>
+        <translation>le but est hors de portée de %1</translation>
+    </message>
+    <message>
+        <source>the goal of '%1'</source>
+        <translation>le but de « %1 »</translation>
+    </message>
+    <message>
         <source>the guide's name</source>
         <translation>le nom du guide virtuel</translation>
     </message>
@@ -16509,6 +16645,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
+    </message>
+    <message>
+        <source>the limits of its joints keep the tool of %1 from the goal</source>
+        <translation>les limites de ses articulations empêchent l’outil de %1 d’atteindre le but</translation>
     </message>
     <message>
         <source>the link does not exist</source>
@@ -16783,6 +16923,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les places des fichiers importés</translation>
     </message>
     <message>
+        <source>the plan for '%1'</source>
+        <translation>le trajet de « %1 »</translation>
+    </message>
+    <message>
         <source>the platform</source>
         <translation>la plateforme</translation>
     </message>
@@ -16957,6 +17101,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the server stopped sending the state of the stylus</source>
         <translation>l'état du stylet n'arrive plus</translation>
+    </message>
+    <message>
+        <source>the start is not free: %1</source>
+        <translation>le départ n’est pas libre : %1</translation>
     </message>
     <message>
         <source>the start value of joint '%1' is not a number</source>
@@ -17529,6 +17677,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>x,y,z,qw,qx,qy,qz</source>
         <translation>x,y,z,qw,qx,qy,qz</translation>
+    </message>
+    <message>
+        <source>x,y,z,qw,qx,qy,qz: metres and a quaternion of length 1</source>
+        <translation>x,y,z,qw,qx,qy,qz : mètres et un quaternion de longueur 1</translation>
     </message>
     <message>
         <source>yes</source>

@@ -100,6 +100,14 @@ class Scene {
   /// are not listed do not move. The poses of the scene are not changed. A part is listed once.
   SceneStop advance(std::span<const MovedPart> moved, double clearance);
 
+  /// A pair that does not surely keep its clearance everywhere on this motion; empty: all of them do, both ends
+  /// included. `clearance` (m) is by the tag of the pair, one for each tag that is used. Proven by halving: pairs that
+  /// keep it by less than a tenth of it (at least 0.1 mm) may be found too; with a clearance of 0 only those that
+  /// advance() would stop. Parts that do not move (path_bound 0) are looked at if `standing`. The poses of the scene are
+  /// not changed. A part is listed once.
+  std::optional<PairIndex> findNearer(std::span<const MovedPart> moved, std::span<const double> clearance,
+                                      bool standing);
+
  private:
   struct Part {
     PlacedBounds at;         ///< See boundsOf().
@@ -128,8 +136,9 @@ class Scene {
     PlacedBounds at;
     bool is_known = false;
   };
-  /// Middles of a motion, its halves and its quarters: 1; 2, 3; 4 to 7.
+  /// Middles of a motion, its halves and its quarters: 1; 2, 3; 4 to 7. At 0 its end, asked for as kEndNode.
   static constexpr std::size_t kStations = 8;
+  static constexpr std::size_t kEndNode = ~std::size_t{0};
   /// A part of advance().
   struct Swept {
     PartIndex part;
@@ -177,8 +186,9 @@ class Scene {
   void searchNearest(double margin, DistanceDemand& left, std::optional<PairDistance>& best);
   double extent();
 
-  void prepareMotion(std::span<const MovedPart> moved, double clearance);
-  void addMotionPair(const Swept& swept, PartIndex other, double clearance);
+  void prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing = false);
+  void addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing);
+  bool keepsApart(ProximityQuery& query, Mover& a, Mover& b, double clearance);
   Mover moverOf(PartIndex part);
   const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
   MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);

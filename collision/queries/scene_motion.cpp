@@ -14,6 +14,11 @@ namespace {
 constexpr double kShortStretch = 5e-3;
 /// Halvings: of 80 m down to the above. Half: 128 times longer stretches are followed; twice: none is so long.
 constexpr int kMostHalvings = 14;
+/// Share of a clearance: findNearer() halves until a stretch is no longer than this, so it asks for at most half of it
+/// more. Half: one halving more near contact; twice: passages a fifth wider than the clearance are not passed.
+constexpr double kProofShare = 0.2;
+/// m: the shortest stretch of findNearer(). Half: one halving more with small clearances; twice: 0.2 mm more are kept.
+constexpr double kShortestProof = 2e-4;
 
 /// A piece of a motion.
 struct Cut {
@@ -45,7 +50,7 @@ geometry::Bounds Scene::sweptBox(const Swept& swept, const MeshCollider& collide
   return {box.min - beside, box.max + beside};
 }
 
-void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance) {
+void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing) {
   const PairIndex index = pairs_.find(swept.part, other);
   if (index == ScenePairs::kNone || parts_[other].empty) return;
   ScenePairs::Pair& pair = pairs_[index];
@@ -55,14 +60,14 @@ void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance)
   const Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
   const PlacedBounds& at = met == nullptr ? boundsOf(other) : met->begin;
   const double reach = swept.motion->path_bound + (met == nullptr ? 0.0 : met->motion->path_bound) + clearance;
-  if (reach == clearance) return;
+  if (reach == clearance && !standing) return;
   double bound = sphereGap(swept.begin, at);
   if (bound > reach) return;
   bound = std::max(bound, boxGap(swept.begin, at));
   if (bound <= reach) candidates_.push_back({bound, index});
 }
 
-void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance) {
+void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing) {
   ++pass_;
   swept_.clear();
   candidates_.clear();
@@ -74,14 +79,14 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance) {
   }
   for (const Swept& swept : swept_) {
     tree_.visitNear(sweptBox(swept, *parts_[swept.part].collider), clearance, [&](PartIndex other) {
-      if (swept_of_[other] == 0) addMotionPair(swept, other, clearance);
+      if (swept_of_[other] == 0) addMotionPair(swept, other, clearance, standing);
     });
     for (const Swept& other : swept_) {
-      if (other.part != swept.part) addMotionPair(swept, other.part, clearance);
+      if (other.part != swept.part) addMotionPair(swept, other.part, clearance, standing);
     }
     if (!pairs_.isSought(swept.part)) continue;
     for (const PartIndex other : pairs_.seekers()) {  // Those that the tree does not hold.
-      if (swept_of_[other] == 0 && !pairs_.isSought(other)) addMotionPair(swept, other, clearance);
+      if (swept_of_[other] == 0 && !pairs_.isSought(other)) addMotionPair(swept, other, clearance, standing);
     }
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
@@ -100,8 +105,8 @@ Scene::Mover Scene::moverOf(PartIndex part) {
 
 /// Where it is at s. The first middles are kept, as many pairs ask for them; `node` is their number, 0: none of them.
 const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s, Station& scratch) {
-  const bool is_kept = mover.swept != nullptr && node > 0 && node < kStations;
-  Station& station = is_kept ? mover.swept->stations[node] : scratch;
+  const bool is_kept = mover.swept != nullptr && (node == kEndNode || (node > 0 && node < kStations));
+  Station& station = is_kept ? mover.swept->stations[node == kEndNode ? 0 : node] : scratch;
   if (is_kept && station.is_known) return station;
   station.X_WP = mover.motion().at(s);
   station.at = mover.swept == nullptr ? boundsOf(mover.part) : placedBounds(*parts_[mover.part].collider, station.X_WP);
@@ -146,6 +151,72 @@ MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double
   }
   stop.s = demand.until;
   return stop;
+}
+
+/// Halves the motion until the distance in the middle of each stretch exceeds the clearance by half of its length.
+bool Scene::keepsApart(ProximityQuery& query, Mover& moved, Mover& met, double clearance) {
+  const PartMotion &a = moved.motion(), &b = met.motion();
+  const double rate = a.path_bound + b.path_bound, least = std::max(clearance, kLeastClearance);
+  const bool is_contact = clearance <= kLeastClearance;
+  const double shortest = is_contact ? kShortStretch : std::max(kShortestProof, kProofShare * clearance);
+  struct Stretch {
+    double from, to;
+    std::size_t node;
+  };
+  constexpr std::size_t kLastNode = std::size_t{1} << (kMostHalvings + 4);
+  Stretch open[kMostHalvings + 8];
+  int count = 0;
+  open[count++] = {0.0, 1.0, 1};
+  Station scratch_a, scratch_b;
+  while (count > 0) {
+    const Stretch piece = open[--count];
+    const double middle = 0.5 * (piece.from + piece.to), length = rate * (piece.to - piece.from);
+    const double margin = least + 0.5 * length + kRounding;
+    const Station& at_a = stationOf(moved, piece.node, middle, scratch_a);
+    const Station& at_b = stationOf(met, piece.node, middle, scratch_b);
+    if (sphereGap(at_a.at, at_b.at) > margin || boxGap(at_a.at, at_b.at) > margin) continue;
+    if (!query.within(at_a.X_WP, at_b.X_WP, margin)) continue;
+    if (length > shortest && piece.node < kLastNode) {
+      if (query.within(at_a.X_WP, at_b.X_WP, least)) return false;
+      open[count++] = {middle, piece.to, 2 * piece.node + 1};
+      open[count++] = {piece.from, middle, 2 * piece.node};
+      continue;
+    }
+    if (!is_contact || length == 0.0) return false;
+    const Cut cut_a(a, piece.from, piece.to), cut_b(b, piece.from, piece.to);
+    const MotionStop stop = collision::advance(query, cut_a.motion, cut_b.motion, {0.0, 1.0});
+    if (stop.stopped || stop.began_colliding) return false;
+  }
+  return true;
+}
+
+std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std::span<const double> clearance,
+                                           bool standing) {
+  double most = kLeastClearance;
+  for (const double one : clearance) most = std::max(most, one);
+  prepareMotion(moved, most + kTouchingDistance, standing);
+  std::optional<PairIndex> found;
+  const auto clearanceOf = [&](PairIndex pair) { return clearance[pairs_[pair].tag]; };
+  // Most motions that are not free end in something: that is looked at first.
+  for (std::size_t i = 0; i < candidates_.size() && !found; ++i) {
+    ScenePairs::Pair& pair = pairs_[candidates_[i].pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = std::max(clearanceOf(candidates_[i].pair), kLeastClearance);
+    if (candidates_[i].lower_bound > a.motion().path_bound + b.motion().path_bound + least) continue;
+    Station scratch_a, scratch_b;
+    const Station &end_a = stationOf(a, kEndNode, 1.0, scratch_a), &end_b = stationOf(b, kEndNode, 1.0, scratch_b);
+    if (sphereGap(end_a.at, end_b.at) > least || boxGap(end_a.at, end_b.at) > least) continue;
+    if (queryOf(pair).within(end_a.X_WP, end_b.X_WP, least)) found = candidates_[i].pair;
+  }
+  for (std::size_t i = 0; i < candidates_.size() && !found; ++i) {
+    ScenePairs::Pair& pair = pairs_[candidates_[i].pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = std::max(clearanceOf(candidates_[i].pair), kLeastClearance);
+    if (candidates_[i].lower_bound > a.motion().path_bound + b.motion().path_bound + least) continue;
+    if (!keepsApart(queryOf(pair), a, b, clearanceOf(candidates_[i].pair))) found = candidates_[i].pair;
+  }
+  for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
+  return found;
 }
 
 SceneStop Scene::stopOnce(double clearance, double until) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "access/removal_way.h"
 
+#include "access/planned_way.h"
 #include "access/removal_check.h"
 #include "tests/access/access_cell.h"
 
@@ -106,6 +107,34 @@ TEST(RemovalWay, UnitMotionNamesWhatStopsIt) {
   EXPECT_EQ(scene.units()[*motion.stoppedBy()].name, "wall right");
   EXPECT_FALSE(motion.collidesAt(Pose::translation({0.003, 0.0, 0.0})));
   EXPECT_TRUE(motion.collidesAt(Pose::translation({0.004, 0.0, 0.0})));
+}
+
+/// A plate in a flat chamber whose opening at the top is narrower than the plate is long: it has to be turned.
+AccessCell turningChamber(double opening) {
+  AccessCell cell;
+  const double beside = 0.5 * (0.30 - opening);
+  cell.box("plate", {0.20, 0.02, 0.06}, {0.0, 0.0, 0.0});
+  cell.box("front", {0.34, 0.02, 0.30}, {0.0, -0.024, 0.05}, true);
+  cell.box("back", {0.34, 0.02, 0.30}, {0.0, 0.024, 0.05}, true);
+  cell.box("bottom", {0.34, 0.06, 0.02}, {0.0, 0.0, -0.11}, true);
+  cell.box("left", {0.02, 0.06, 0.30}, {-0.16, 0.0, 0.05}, true);
+  cell.box("right", {0.02, 0.06, 0.30}, {0.16, 0.0, 0.05}, true);
+  cell.box("top left", {beside, 0.06, 0.02}, {-0.5 * (opening + beside), 0.0, 0.19}, true);
+  cell.box("top right", {beside, 0.06, 0.02}, {0.5 * (opening + beside), 0.0, 0.19}, true);
+  return cell;
+}
+
+TEST(PlannedWay, TurnsAPlateThroughAnOpeningThatIsNarrowerThanItIsLong) {
+  const std::atomic<bool> cancel{false};
+  const RemovalScene scene = turningChamber(0.12).removal("plate");
+  EXPECT_FALSE(bentWay(scene, 0, 0));
+  const auto way = plannedWay(scene, 0, 0, cancel);
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->kind, RemovalWay::Kind::kPlanned);
+  EXPECT_TRUE(removalPromises(scene, 0, 0, trajectoryOf(scene, 0, *way, 0.1)).areKept());
+  double turned = 0.0;
+  for (const Pose& X_WE : way->X_WE) turned = std::max(turned, glm::length(rotationVector(X_WE.q)));
+  EXPECT_GT(turned, 0.5);
 }
 
 }  // namespace

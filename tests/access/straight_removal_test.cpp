@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "access/straight_removal.h"
 
+#include "access/ordered.h"
 #include "access/removal_directions.h"
 #include "access/thinned_mesh.h"
 #include "collision/queries/proximity_query.h"
@@ -36,6 +37,17 @@ TEST(ThinnedMesh, MovesEachFaceOfABoxInwards) {
   // A cylinder's side moves by the same; a thin sheet by a tenth of its thickness.
   EXPECT_NEAR(thinned(geometry::makeCylinder(0.05, 0.1, 64), 1e-3).bounds().max.x, 0.049, 5e-6);
   EXPECT_NEAR(thinned(geometry::makeBox({0.1, 0.1, 1e-3}), 1e-3).bounds().size().z, 0.8e-3, 1e-8);
+}
+
+TEST(Ordered, KeepsEachItemWhole) {
+  std::vector<dvec3> items;
+  for (int i = 0; i < 30; ++i) items.emplace_back(i + 1, 7 * i % 5, 0.0);
+  const auto sorted = ordered(items, [](const dvec3& item) { return item.y; });
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    EXPECT_LE(sorted[i - 1].y, sorted[i].y);
+    if (sorted[i - 1].y == sorted[i].y) EXPECT_LT(sorted[i - 1].x, sorted[i].x);
+  }
+  EXPECT_EQ(sorted[0].x, 1.0);
 }
 
 TEST(StraightRemoval, ATouchingBlockLeavesThroughTheOpenSideOnly) {

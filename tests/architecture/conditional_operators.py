@@ -9,7 +9,7 @@ import re
 import sys
 
 FOLDERS = ("app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer",
-           "kinematics", "manipulation", "mannequin", "studies", "access", "tests", "tools", "trajectory", "workcell", "xacro")
+           "kinematics", "manipulation", "mannequin", "planning", "studies", "access", "tests", "tools", "trajectory", "workcell", "xacro")
 # What holds no code: comments, strings, characters, the preprocessor's lines.
 BLANK = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^\s()\\]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''
                    r"|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.DOTALL | re.MULTILINE)

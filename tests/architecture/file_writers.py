@@ -43,7 +43,7 @@ ALLOWED = {
 DEVICES = "haptic/devices/"
 DEVICE_WORDS = {"o_rdwr", "o_wronly"}
 FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
-           "mannequin", "studies", "access", "trajectory", "workcell", "xacro")
+           "mannequin", "planning", "studies", "access", "trajectory", "workcell", "xacro")
 
 
 def without_comments(text):

@@ -11,7 +11,7 @@ import sys
 import xml.etree.ElementTree as ET
 
 FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
-           "mannequin", "studies", "access", "trajectory", "workcell", "xacro")
+           "mannequin", "planning", "studies", "access", "trajectory", "workcell", "xacro")
 LANGUAGE = re.compile(r"\bk(French|English)\s*\?")
 TEXTS = re.compile(r'#include "(geometry/system/text|app/style/library_text)\.h"')
 PATTERN = re.compile(r"\bQRegularExpression\b|\bstd::regex\b")

@@ -9,7 +9,7 @@ import re
 import sys
 
 FOLDERS = ("app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer", "kinematics",
-           "manipulation", "mannequin", "studies", "access", "tests", "trajectory", "workcell", "xacro")
+           "manipulation", "mannequin", "planning", "studies", "access", "tests", "trajectory", "workcell", "xacro")
 # What waits by CLOCK_REALTIME, or is asked to, and what to take instead.
 FORBIDDEN = {
     r"\bCLOCK_REALTIME(_COARSE|_ALARM)?\b": "CLOCK_MONOTONIC",

@@ -145,5 +145,39 @@ TEST(Scene, PartsOfOneRobotAreCheckedAgainstEachOther) {
   EXPECT_NEAR(stop.s, 0.9, 1e-4);
 }
 
+/// Against the distance of each pair, cold, at many places of the motion.
+TEST_F(SceneTest, FindsPairsNearerThanTheirClearanceOnTheWay) {
+  std::vector<double> clearance(fixed_.back() + 1, 0.0);
+  for (std::size_t i = 0; i < fixed_.size(); ++i) clearance[fixed_[i]] = i % 3 == 0 ? 0.0 : 0.004 * static_cast<double>(i);
+  int free = 0, found = 0;
+  for (int i = 0; i < 150; ++i) {
+    std::vector<MovedPart> moved;
+    for (const PartIndex part : moved_) {
+      const Pose X_WStart = test::randomPose(random_, 0.9), X_WEnd = test::randomPose(random_, 0.9);
+      moved.push_back({part, straightMotion(X_WStart, interpolate(X_WStart, X_WEnd, 0.2), scene_.collider(part))});
+    }
+    const auto nearer = scene_.findNearer(moved, clearance, true);
+    double least_of_all = 1.0, of_found = 1.0;  // Distance less clearance.
+    for (int k = 0; k <= 40; ++k) {
+      for (const MovedPart& part : moved) scene_.setPose(part.part, part.motion.at(k / 40.0));
+      const std::vector<double> all = allDistances();
+      for (PairIndex pair = 0; pair < all.size(); ++pair) {
+        const double over = all[pair] - clearance[scene_.tag(pair)];
+        if (all[pair] == 0.0 || over < 0.0) least_of_all = std::min(least_of_all, all[pair] == 0.0 ? -1.0 : over);
+        if (nearer && pair == *nearer) of_found = std::min(of_found, over - 0.1 * clearance[scene_.tag(pair)]);
+      }
+    }
+    if (nearer) {
+      EXPECT_LT(of_found, 2e-3) << "sampled 40 times";
+      ++found;
+    } else {
+      EXPECT_GE(least_of_all, 0.0);
+      ++free;
+    }
+  }
+  EXPECT_GT(free, 10);
+  EXPECT_GT(found, 10);
+}
+
 }  // namespace
 }  // namespace hapticell::collision

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans of a chain of seven joints among 80 parts of 20,000 triangles (scene_bench's chain), beside FCL's broad phase
+// under the same planner of OMPL in the same process. Prints a table of docs/dev/performance.md.
+//
+// usage: planning_bench [problems] [kinds] [peer]   (default: 100 problems; "kinds": each search alone; "peer": with FCL)
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/chain_robot.h"
+#include "bench/collision_scenes.h"
+#include "geometry/system/percentile.h"
+#include "planning/plan.h"
+#include "planning/search.h"
+#include "planning/timed_plan.h"
+#include "planning/written_plan.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/text/file_content.h"
+#ifdef HAPTICELL_HAS_FCL
+#include "bench/fcl_peer.h"
+#endif
+
+namespace hapticell::bench {
+namespace {
+
+using Angles = std::vector<double>;
+constexpr double kClearance = 0.005;
+constexpr double kPeerLimit = 20.0;  // s: then the peer gives a problem up.
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Cell {
+  Chain chain;
+  std::vector<PlacedPart> parts;
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+};
+
+Cell makeCell() {
+  Cell cell{makeChain(600), {}, nullptr};
+  cell.parts = partsAround(cell.chain, 80, 20000);
+  std::vector<workcell::Entity> entities{chainRobot(cell.chain)};
+  for (std::size_t i = 0; i < cell.parts.size(); ++i) {
+    workcell::Entity part;
+    part.id = 2 + i;
+    part.name = "part" + std::to_string(i);
+    part.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(cell.parts[i].mesh)};
+    part.X_WE = cell.parts[i].X_WP;
+    entities.push_back(std::move(part));
+  }
+  cell.scene = manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+  return cell;
+}
+
+/// Pairs of free postures.
+std::vector<std::pair<Angles, Angles>> makeProblems(planning::FreeSpace space, std::size_t count) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> turn(-2.5, 2.5), bend(-1.2, 1.2);
+  space.setClearance(1.1 * kClearance);
+  const auto posture = [&] {
+    while (true) {
+      planning::EntityConfiguration at = space.present();
+      for (std::size_t i = 0; i < at.joints.size(); ++i) at.joints[i] = i % 2 == 0 ? turn(random) : bend(random);
+      if (space.isFree(at)) return at.joints;
+    }
+  };
+  std::vector<std::pair<Angles, Angles>> problems;
+  while (problems.size() < count) {
+    Angles start = posture();
+    Angles goal = posture();
+    problems.emplace_back(std::move(start), std::move(goal));
+  }
+  return problems;
+}
+
+void row(const std::string& name, std::vector<double> times, std::size_t solved, const std::string& note) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
+  std::printf("| %s | %zu of %zu | %.1f / %.1f / %.1f | %s |\n", name.c_str(), solved, times.size(), 1e3 * at(0.5),
+              1e3 * at(0.99), 1e3 * times.back(), note.c_str());
+  std::fflush(stdout);
+}
+
+void measurePlans(const Cell& cell, const planning::FreeSpace& space,
+                  const std::vector<std::pair<Angles, Angles>>& problems) {
+  std::vector<double> times;
+  std::size_t solved = 0, kept = 0, straight = 0, checks = 0;
+  double least = 1.0;
+  const std::string file = "/tmp/planning_bench." + std::to_string(static_cast<long>(1e3 * seconds())) + ".htraj";
+  for (const auto& [start, goal] : problems) {
+    planning::Problem problem;
+    problem.scene = cell.scene;
+    problem.entity = 1;
+    problem.start = planning::EntityConfiguration{space.present().X_WE, start};
+    problem.goal = planning::goal::ToJoints{goal};
+    problem.clearance = kClearance;
+    const double begin = seconds();
+    const auto result = planning::plan(problem, space);
+    times.push_back(seconds() - begin);
+    if (!result || !result->isSolved()) continue;
+    ++solved;
+    checks += result->checks;
+    straight += result->planner == "straight" ? 1 : 0;
+    const auto motion = planning::timedMotion(*result->plan, space);
+    if (!motion || !workcell::writeFileAtomically(file, trajectory::toJsonText(*motion))) continue;
+    const auto promises = planning::writtenPlanPromises(file, *result->plan, kClearance, cell.scene, 1);
+    if (!promises) continue;
+    least = std::min(least, promises->list.front().measured);
+    if (promises->areKept()) {
+      ++kept;
+    } else {
+      std::fprintf(stderr, "missed: %s\n", promises->missed(file).message().c_str());
+    }
+  }
+  std::remove(file.c_str());
+  row("HaptiCell: searched, shortened, smoothed", times, solved,
+      std::to_string(kept) + " written motions keep 5 mm and all else, least " + std::to_string(1e3 * least) + " mm; " +
+          std::to_string(straight) + " straight; " + std::to_string(checks / std::max<std::size_t>(1, solved)) + " checks each");
+}
+
+/// Each kind of search alone, one thread, without shortening.
+void measureKinds(const planning::FreeSpace& given, const std::vector<std::pair<Angles, Angles>>& problems) {
+  using Method = planning::SearchKind::Method;
+  planning::FreeSpace space = given.fresh();
+  space.setClearance(1.1 * kClearance);
+  for (const Method method : {Method::kRrtConnect, Method::kBiEst}) {
+    for (const double range : {0.02, 0.05, 0.1, 0.2, 0.4}) {
+      std::vector<double> times;
+      std::size_t solved = 0, checks = 0;
+      for (const auto& [start, goal] : problems) {
+        planning::SearchJob job;
+        job.start = {space.present().X_WE, start};
+        job.goals = {{space.present().X_WE, goal}};
+        job.kinds = {{method, range}};
+        job.most_checks = 20'000;
+        const double begin = seconds();
+        const auto result = planning::search(space, job);
+        times.push_back(seconds() - begin);
+        solved += result.path.empty() ? 0 : 1;
+        checks += result.checks;
+      }
+      row(std::string(toString(method)) + " " + std::to_string(range), times, solved,
+          std::to_string(checks / problems.size()) + " checks each");
+    }
+  }
+}
+
+#ifdef HAPTICELL_HAS_FCL
+namespace ob = ompl::base;
+
+/// RRT-Connect of OMPL with its default range, motions sampled every 0.02 rad, as MoveIt asks FCL.
+void measurePeer(const Cell& cell, const std::vector<std::pair<Angles, Angles>>& problems) {
+  std::vector<Pose> X_WS;
+  std::vector<geometry::TriangleMesh> standing;
+  for (const PlacedPart& part : cell.parts) {
+    standing.push_back(part.mesh);
+    X_WS.push_back(part.X_WP);
+  }
+  FclGroup peer(cell.chain.links, standing, X_WS);
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  std::vector<double> times;
+  std::size_t solved = 0;
+  for (const auto& [start, goal] : problems) {
+    auto space = std::make_shared<ob::RealVectorStateSpace>(7);
+    space->setBounds(-2.8, 2.8);
+    ompl::geometric::SimpleSetup setup(space);
+    setup.setStateValidityChecker([&](const ob::State* state) {
+      const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+      return !peer.collides(chainPoses(Angles(values, values + 7)));
+    });
+    space->setLongestValidSegmentFraction(0.02 / space->getMaximumExtent());
+    ob::ScopedState<> from(space), to(space);
+    for (unsigned i = 0; i < 7; ++i) {
+      from[i] = start[i];
+      to[i] = goal[i];
+    }
+    setup.setStartAndGoalStates(from, to);
+    setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
+    const double begin = seconds();
+    const bool found = setup.solve(kPeerLimit) == ob::PlannerStatus::EXACT_SOLUTION;
+    times.push_back(seconds() - begin);
+    solved += found ? 1 : 0;
+  }
+  row("FCL, RRT-Connect of OMPL, no clearance, not shortened", times, solved, "0.02 rad between samples");
+}
+#endif
+
+}  // namespace
+}  // namespace hapticell::bench
+
+int main(int argc, char** argv) {
+  using namespace hapticell::bench;
+  std::size_t count = 100;
+  bool kinds = false, peer = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "kinds") kinds = true;
+    else if (word == "peer") peer = true;
+    else count = static_cast<std::size_t>(std::max(1, std::atoi(word.c_str())));
+  }
+  const Cell cell = makeCell();
+  const auto space = hapticell::planning::FreeSpace::create(cell.scene, 1, {});
+  if (!space) {
+    std::fprintf(stderr, "%s\n", space.error().message().c_str());
+    return 1;
+  }
+  const auto problems = makeProblems(space->fresh(), count);
+  std::printf("| planner | solved | ms (median / p99 / max) | |\n| --- | --- | --- | --- |\n");
+  if (kinds) {
+    measureKinds(*space, problems);
+    return 0;
+  }
+  measurePlans(cell, *space, problems);
+#ifdef HAPTICELL_HAS_FCL
+  if (peer) measurePeer(cell, problems);
+#endif
+  return 0;
+}

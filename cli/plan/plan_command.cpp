@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/plan/plan_command.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/kit/kept_result.h"
+#include "cli/kit/result_writer.h"
+#include "geometry/system/listed.h"
+#include "manipulation/scene/scene_service.h"
+#include "planning/plan.h"
+#include "planning/timed_plan.h"
+#include "planning/written_plan.h"
+#include "trajectory/files/pose_csv.h"
+#include "trajectory/files/trajectory_io.h"
+#include "trajectory/motion/csv_table.h"
+#include "workcell/format/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct PlanOptions {
+  std::string workcell, entity, to, to_joints, through, output;
+  bool out = false;
+  double clearance = 0.005, time = 10.0;
+  int seed = 1, jobs = 0;
+};
+
+/// How much of the slack the corners are rounded off by, one after the other until the written file keeps the
+/// clearance; the last is exact but rests at corners.
+constexpr double kRoundings[] = {1.0, 0.4, 0.1};
+
+Expected<std::vector<double>> numbersOf(const std::string& option, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = trajectory::parseNumber(std::string_view(text).substr(begin, end - begin));
+    if (!number)
+      return makeError({.place = Text(option), .found = "'" + text + "'", .expected = "finite numbers separated by commas"});
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+Expected<Pose> poseOf(const std::string& option, const std::string& text) {
+  const auto numbers = numbersOf(option, text);
+  HAPTICELL_TRY(numbers);
+  const std::vector<double>& n = *numbers;
+  Pose pose;
+  if (n.size() == 7) pose = {{n[0], n[1], n[2]}, dquat(n[3], n[4], n[5], n[6])};
+  // A quaternion typed with three digits is within this of length 1. Half: such ones are refused; twice: slips pass.
+  constexpr double kNearlyUnit = 1e-2;
+  if (n.size() != 7 || std::abs(glm::length(pose.q) - 1.0) > kNearlyUnit)
+    return makeError({.place = Text(option),
+                      .found = "'" + text + "'",
+                      .expected = "x,y,z,qw,qx,qy,qz: metres and a quaternion of length 1"});
+  pose.q = glm::normalize(pose.q);
+  return pose;
+}
+
+Expected<planning::Goal> goalOf(const PlanOptions& options) {
+  const int given = (options.to.empty() ? 0 : 1) + (options.to_joints.empty() ? 0 : 1) + (options.out ? 1 : 0);
+  if (given != 1)
+    return makeError({.place = "--to, --to-joints, --out",
+                      .found = Text("%1 goals", given),
+                      .expected = "exactly one of these options"});
+  if (options.out) return planning::Goal(planning::goal::OutOfCell{});
+  if (!options.to_joints.empty()) {
+    auto joints = numbersOf("--to-joints", options.to_joints);
+    HAPTICELL_TRY(joints);
+    return planning::Goal(planning::goal::ToJoints{std::move(*joints)});
+  }
+  const auto pose = poseOf("--to", options.to);
+  HAPTICELL_TRY(pose);
+  return planning::Goal(planning::goal::ToPose{*pose});
+}
+
+Expected<planning::Problem> problemOf(const PlanOptions& options) {
+  auto goal = goalOf(options);
+  HAPTICELL_TRY(goal);
+  if (const auto extension = std::filesystem::path(options.output).extension();
+      extension != ".htraj" && extension != ".csv")
+    return makeError({.file = options.output,
+                      .place = "--output",
+                      .found = Text("the extension '%1'", extension.string()),
+                      .expected = ".htraj or .csv"});
+  planning::Problem problem;
+  problem.goal = std::move(*goal);
+  problem.clearance = options.clearance;
+  problem.seed = static_cast<std::uint64_t>(options.seed);
+  problem.time_limit_s = options.time;
+  problem.threads = options.jobs;
+  if (!options.through.empty()) {
+    auto poses = trajectory::readPoseCsv(options.through);
+    HAPTICELL_TRY(poses);
+    problem.through = std::move(*poses);
+  }
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(options.workcell, notes);
+  for (const Text& note : notes.warnings) warn(note);
+  HAPTICELL_TRY(document);
+  const workcell::Entity* entity = document->findByName(options.entity);
+  if (entity == nullptr) {
+    const std::string known = listed(document->state().entities, [](const auto& one) { return one->name; });
+    return makeError({.file = options.workcell,
+                      .place = "--entity",
+                      .found = Text("no entity is named '%1'", options.entity),
+                      .expected = Text("one of %1", known)});
+  }
+  problem.entity = entity->id;
+  problem.scene = manipulation::SceneService().prepare(manipulation::sourceOf(*document, {}));
+  return problem;
+}
+
+ordered_json poseJson(const Pose& X) {
+  return {X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z};
+}
+
+ordered_json headJson(const planning::PlanResult& result, const PlanOptions& options) {
+  ordered_json json{{"solved", result.isSolved()}, {"entity", options.entity}, {"time_s", result.seconds}};
+  if (!result.note.empty()) json["notes"] = {result.note};
+  return json;
+}
+
+ordered_json failureJson(const planning::PlanResult& result, const PlanOptions& options) {
+  const planning::Failure& failure = *result.failure;
+  ordered_json json = headJson(result, options);
+  json["length"] = nullptr;
+  json["clearance_min_m"] = nullptr;
+  json["checks"] = result.checks;
+  json["reason"] = failure.reason;
+  json["constraint"] = planning::toString(failure.kind);
+  json["blocked_by"] = failure.blocked_by.empty() ? ordered_json(nullptr) : ordered_json(failure.blocked_by);
+  json["nearest"] = nullptr;
+  if (failure.nearest) {
+    json["nearest"] = {{"pose", poseJson(*failure.X_WT_nearest)}, {"distance", failure.nearest_distance}};
+    if (!failure.nearest->joints.empty()) json["nearest"]["joints"] = failure.nearest->joints;
+  }
+  return json;
+}
+
+/// Times the plan and writes it, once the file as written keeps what was asked.
+Expected<ordered_json> writePlan(const planning::PlanResult& result, const planning::FreeSpace& space,
+                                 const planning::Problem& problem, const PlanOptions& options) {
+  const planning::Plan& plan = *result.plan;
+  ordered_json json = headJson(result, options);
+  json["length"] = plan.length;
+  Expected<void> written;
+  for (const double rounding : kRoundings) {
+    const auto motion = planning::timedMotion(plan, space, {.sample_s = 0.01, .rounding = rounding});
+    HAPTICELL_TRY(motion);
+    const bool is_csv = std::filesystem::path(options.output).extension() == ".csv";
+    const std::string content = is_csv ? toCsvText(*motion) : toJsonText(*motion);
+    double clearance = 0.0;
+    const auto measure = [&](const std::filesystem::path& file) {
+      auto promises = planning::writtenPlanPromises(file, plan, options.clearance, problem.scene, problem.entity);
+      if (promises) clearance = promises->list.front().measured;
+      return promises;
+    };
+    written = writeKept(options.output, content, ".htraj", false, measure, json);
+    if (!written) continue;
+    json["clearance_min_m"] = clearance;
+    json["checks"] = result.checks;
+    json["planner"] = result.planner;
+    json["waypoints"] = plan.waypoints.size();
+    json["duration_s"] = motion->duration();
+    json["frames"] = motion->size();
+    json["output"] = options.output;
+    return json;
+  }
+  return tl::unexpected(written.error());
+}
+
+ExitStatus run(const PlanOptions& options, const ResultWriter& writer) {
+  const auto fails = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  const auto problem = problemOf(options);
+  if (!problem) return fails(problem.error());
+  const auto space = planning::FreeSpace::create(problem->scene, problem->entity, {});
+  if (!space) return fails(space.error());
+  const auto result = planning::plan(*problem, *space);
+  if (!result) return fails(result.error());
+  const auto json = result->isSolved() ? writePlan(*result, *space, *problem, options)
+                                       : Expected<ordered_json>(failureJson(*result, options));
+  if (!json) return fails(json.error());
+  const auto written = writer.write(*json);
+  if (!written) return fails(written.error());
+  if (result->isSolved()) return ExitStatus::kDone;
+  warn(Text("no plan: %1", result->failure->reason));
+  return ExitStatus::kCheckFound;
+}
+
+}  // namespace
+
+void addPlanCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("plan", "Plan a collision-free motion of a robot or a solid in a cell");
+  const auto options = std::make_shared<PlanOptions>();
+  command.option("--workcell", options->workcell, "Cell (.hcell)").takes(ValueKind::kWorkcell).required();
+  command.option("--entity", options->entity, "Robot, mechanism or solid that moves").required();
+  command.option("--to", options->to, "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, or of a solid's frame, in the cell");
+  command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
+  command.flag("--out", options->out, "Goal: the solid out of the box around everything else");
+  command.option("--through", options->through, "Poses that the motion passes, in this order")
+      .takes(ValueKind::kTable);
+  command.option("--clearance", options->clearance, "Metres that the motion keeps from the cell (default: 0.005)")
+      .within(0.0, 10.0);
+  command.option("--seed", options->seed, "Equal seeds give equal motions (default: 1)").withinWhole(0, 2'000'000'000);
+  command.option("--time", options->time, "Seconds after which the search is given up (default: 10)").within(0.0, 86'400.0);
+  command.option("--jobs", options->jobs, "Threads; the motion does not depend on it (default: one a core)")
+      .withinWhole(0, 4096);
+  command.option("-o,--output", options->output, "Motion to write (.htraj or .csv)")
+      .takes(ValueKind::kMotion)
+      .required();
+  command.onChosen([options, &chosen] {
+    chosen = [options](ResultWriter& writer) { return run(*options, writer); };
+  });
+}
+
+}  // namespace hapticell::cli

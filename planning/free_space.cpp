@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/queries/motion_bound.h"
+#include "geometry/system/assertion.h"
+#include "kinematics/model/jacobian.h"
+#include "manipulation/holding/held_pairs.h"
+#include "manipulation/manipulators/manipulator_kinds.h"
+
+namespace hapticell::planning {
+
+namespace {
+
+using manipulation::HeldModel;
+using manipulation::HeldPairs;
+using manipulation::Manipulator;
+using manipulation::MotionPair;
+using manipulation::MovedPart;
+
+/// A pair that is checked: parts of the space's scene, by index, and who they are.
+struct CheckedPair {
+  std::uint32_t part = 0, other = 0;
+  bool own = false;
+  Blocker words;
+};
+
+bool movesWithJoints(const kinematics::RobotModel& model, int link) {
+  return model.closure != nullptr || !kinematics::variablesOfChain(model, std::max(0, link)).empty();
+}
+
+Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model,
+                                                     const config::Configuration& configuration) {
+  std::vector<manipulation::Taking::Part> parts;
+  for (const MovedPart& part : model.parts()) parts.push_back({part.link, part.X_LP});
+  const manipulation::Taking taking{model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
+                                    *model.scene(), configuration, parts};
+  return makeManipulator(taking, manipulation::manipulatorKinds());
+}
+
+/// A motion whose parts' poses are asked for at one s after the other.
+struct PlannedMotion {
+  const Manipulator& manipulator;
+  const EntityConfiguration& from;
+  const EntityConfiguration& to;
+  double s = -1.0;
+  EntityConfiguration at{};
+
+  Pose poseOf(std::size_t part, double now) {
+    if (now != s) at = manipulator.between(from, to, now);
+    s = now;
+    return manipulator.partPose(at, part);
+  }
+};
+
+Expected<void> canBePlannedFor(const workcell::Entity* entity) {
+  if (entity == nullptr)
+    return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
+  const bool is_solid = entity->kind() == workcell::EntityKind::kSolid && entity->mesh() != nullptr;
+  if (is_solid || workcell::isMachine(*entity)) return {};
+  return makeError({.place = Text("entity '%1'", entity->name),
+                    .found = Text("a path cannot be planned for a %1", workcell::wordOf(entity->kind())),
+                    .expected = "a robot, a mechanism or a solid with a shape"});
+}
+
+}  // namespace
+
+Text Blocker::text() const {
+  return Text("%1 would touch %2", moved, met);
+}
+
+struct FreeSpace::Plan {
+  explicit Plan(HeldModel held) : model(std::move(held)) {}
+
+  HeldModel model;
+  std::unique_ptr<Manipulator> manipulator;
+  std::vector<CheckedPair> pairs;
+  std::vector<std::shared_ptr<const collision::MeshCollider>> obstacles;
+  std::vector<Pose> X_WO;
+  std::vector<manipulation::PartSphere> spheres;
+  geometry::Bounds obstacle_bounds;
+  EntityConfiguration present;
+  double radius = 0.0;
+  Text note;
+
+  void addPairs(const HeldPairs& held);
+  void addObstacles(const HeldPairs& held);
+};
+
+void FreeSpace::Plan::addPairs(const HeldPairs& held) {
+  const kinematics::RobotModel* robot = model.form().robot().get();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const MotionPair& motion = held.motionPairs()[i];
+    if (!motion.blocks) continue;
+    CheckedPair pair;
+    pair.own = motion.other_part >= 0;
+    pair.part = motion.part;
+    const MovedPart& moved = model.parts()[motion.part];
+    if (!pair.own && robot != nullptr && !movesWithJoints(*robot, moved.link)) continue;
+    pair.other = pair.own ? static_cast<std::uint32_t>(motion.other_part)
+                          : static_cast<std::uint32_t>(model.parts().size()) + motion.obstacle;
+    const manipulation::ScenePart& met =
+        pair.own ? *model.parts()[pair.other].part : *held.obstacleParts()[motion.obstacle];
+    pair.words = {model.nameOf(*moved.part), model.nameOf(met), pair.own ? model.id() : met.entity};
+    pairs.push_back(std::move(pair));
+  }
+}
+
+void FreeSpace::Plan::addObstacles(const HeldPairs& held) {
+  for (std::size_t i = 0; i < held.obstacles().size(); ++i) {
+    const auto& collider = held.obstacleParts()[i]->mesh.collider;
+    obstacles.push_back(collider);
+    X_WO.push_back(held.obstacles()[i].X_W);
+    if (!collider->isEmpty()) obstacle_bounds.add(collision::placedBounds(*collider, X_WO.back()).box_W());
+  }
+  for (const MovedPart& part : model.parts()) {
+    const collision::MeshCollider& collider = *part.part->mesh.collider;
+    spheres.push_back({collider.center(), collider.radius()});
+    radius = std::max(radius, glm::length(part.X_LP * collider.center()) + collider.radius());
+  }
+}
+
+Expected<FreeSpace> FreeSpace::create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId id,
+                                      const config::Configuration& configuration,
+                                      const manipulation::Placements& placements) {
+  const workcell::Entity* entity = scene->find(id);
+  HAPTICELL_TRY(canBePlannedFor(entity));
+  std::vector<Text> notes;
+  workcell::Entity free = *entity;
+  free.locked = false;
+  const EntityConfiguration present = manipulation::standingOf(*entity, placements);
+  free.X_WE = present.X_WE;
+  if (free.robot()) free.setJoints(present.joints);
+  auto plan = std::make_shared<Plan>(HeldModel(std::move(scene), free, placements, false, notes));
+  auto manipulator = manipulatorOf(plan->model, configuration);
+  HAPTICELL_TRY(manipulator);
+  plan->manipulator = std::move(*manipulator);
+  const HeldPairs held(plan->model, *plan->manipulator, placements,
+                       {manipulation::MovedBy(), entity->contact.on_contact, entity->contact.force_class},
+                       configuration);
+  plan->note = held.leftOutNote();
+  plan->present = present;
+  plan->addPairs(held);
+  plan->addObstacles(held);
+  return FreeSpace(plan);
+}
+
+FreeSpace::FreeSpace(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)) {
+  const std::vector<MovedPart>& moved = plan_->model.parts();
+  for (const MovedPart& part : moved) scene_.addPart({part.part->entity, 0}, part.part->mesh.collider);
+  for (std::size_t i = 0; i < plan_->obstacles.size(); ++i) scene_.addPart({0, 0}, plan_->obstacles[i], plan_->X_WO[i]);
+  for (std::size_t i = 0; i < plan_->pairs.size(); ++i) {
+    scene_.addPair(plan_->pairs[i].part, plan_->pairs[i].other, static_cast<std::uint32_t>(i));
+  }
+  clearances_.assign(plan_->pairs.size(), 0.0);
+  moved_.resize(moved.size());
+  X_WP_.resize(moved.size());
+  bounds_.resize(moved.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) moved_[i].part = static_cast<collision::PartIndex>(i);
+}
+
+FreeSpace FreeSpace::fresh() const {
+  FreeSpace space(plan_);
+  space.setClearance(clearance_);
+  space.stop_ = stop_;
+  return space;
+}
+
+void FreeSpace::setClearance(double clearance) {
+  HAPTICELL_DEMAND(clearance >= 0.0);
+  clearance_ = clearance;
+  for (std::size_t i = 0; i < clearances_.size(); ++i) clearances_[i] = plan_->pairs[i].own ? 0.0 : clearance;
+}
+
+bool FreeSpace::ask(bool moves) {
+  ++checks_;
+  const auto found = scene_.findNearer(moved_, clearances_, !moves);
+  if (found) blocked_by_ = scene_.tag(*found);
+  return !found;
+}
+
+bool FreeSpace::isFree(const EntityConfiguration& at) {
+  blocked_by_.reset();
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
+  plan_->manipulator->partPoses(at, X_WP_);
+  for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
+  return ask(false);
+}
+
+bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguration& to) {
+  blocked_by_.reset();
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
+  const Manipulator& manipulator = *plan_->manipulator;
+  manipulator.pathBounds(from, to, plan_->spheres, bounds_);
+  const double turned = manipulator.turnBound(from, to);
+  PlannedMotion motion{manipulator, from, to};
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    collision::PartMotion& part = moved_[i].motion;
+    part.path_bound = bounds_[i];
+    part.bend_bound = 2.0 * turned * bounds_[i];
+    part.along = [&motion, i](double s) { return motion.poseOf(i, s); };
+  }
+  return ask(true);
+}
+
+std::optional<Blocker> FreeSpace::blocker() const {
+  return blocked_by_ ? std::optional(plan_->pairs[*blocked_by_].words) : std::nullopt;
+}
+
+std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {
+  if (!measured_) {  // Made when it is first needed: searches do without it.
+    measured_.emplace(scene_);
+    for (std::size_t i = 0; i < plan_->pairs.size(); ++i) {
+      if (plan_->pairs[i].own) measured_->setEnabled(static_cast<collision::PairIndex>(i), false);
+    }
+  }
+  plan_->manipulator->partPoses(at, X_WP_);
+  for (std::size_t i = 0; i < X_WP_.size(); ++i) measured_->setPose(static_cast<collision::PartIndex>(i), X_WP_[i]);
+  return measured_->nearest(limit);
+}
+
+double FreeSpace::clearanceAt(const EntityConfiguration& at, double limit) {
+  const auto nearest = measure(at, limit);
+  return nearest ? nearest->result.distance : limit;
+}
+
+std::optional<Blocker> FreeSpace::nearestAt(const EntityConfiguration& at, double limit) {
+  const auto nearest = measure(at, limit);
+  return nearest ? std::optional(plan_->pairs[measured_->tag(nearest->pair)].words) : std::nullopt;
+}
+
+EntityConfiguration FreeSpace::between(const EntityConfiguration& from, const EntityConfiguration& to,
+                                       double s) const {
+  return plan_->manipulator->between(from, to, s);
+}
+
+double FreeSpace::pathBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
+  std::vector<double> bounds(plan_->spheres.size());
+  plan_->manipulator->pathBounds(from, to, plan_->spheres, bounds);
+  return bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
+}
+
+Pose FreeSpace::toolAt(const EntityConfiguration& at) const {
+  return hasJoints() ? plan_->manipulator->movedFrame(at) : at.X_WE;
+}
+
+const geometry::Bounds& FreeSpace::obstacleBounds() const {
+  return plan_->obstacle_bounds;
+}
+
+double FreeSpace::radius() const {
+  return plan_->radius;
+}
+
+const workcell::Entity& FreeSpace::entity() const {
+  return plan_->model.form();
+}
+
+const EntityConfiguration& FreeSpace::present() const {
+  return plan_->present;
+}
+
+const Text& FreeSpace::note() const {
+  return plan_->note;
+}
+
+}  // namespace hapticell::planning

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/queries/scene.h"
+#include "config/configuration.h"
+#include "geometry/system/error.h"
+#include "geometry/system/text.h"
+#include "manipulation/holding/held_model.h"
+#include "manipulation/manipulators/manipulator.h"
+#include "manipulation/scene/prepared_scene.h"
+
+namespace hapticell::planning {
+
+using manipulation::EntityConfiguration;
+
+/// Two parts that come nearer than they may.
+struct Blocker {
+  std::string moved;          ///< "robot/link_4", or "bolt" for a solid.
+  std::string met;            ///< "fixture", or the own link.
+  workcell::EntityId other = 0;  ///< The entity of `met`; the moved one itself if it meets its own parts.
+  Text text() const;          ///< "robot/link_4 would touch fixture"
+};
+
+/// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
+/// of configurations and of whole motions on the full meshes.
+///
+/// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks: the
+/// pair rules of the document count, pairs in contact mode *Pass* are left out, and so are pairs that no joint moves
+/// against each other (a base on its table) and links that touch at rest. Links against each other need only not touch.
+///
+/// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
+/// was asked before.
+class FreeSpace {
+ public:
+  /// Everything else stays where it is in the scene, or in `placements`. Errors: no such entity; one that is neither a
+  /// solid nor has joints; a mannequin (not supported). A locked entity may be checked.
+  static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene,
+                                    workcell::EntityId entity, const config::Configuration& configuration,
+                                    const manipulation::Placements& placements = {});
+  /// The same space and clearance for another thread, without any answers known.
+  FreeSpace fresh() const;
+
+  /// The distance (m, 0 or more) that all pairs but the entity's own keep in every later question. At first 0: nothing
+  /// touches.
+  void setClearance(double clearance);
+  double clearance() const { return clearance_; }
+  /// Later questions are answered "not free" at once while *stop is true; null: never. It must outlive the object.
+  void setStop(const std::atomic<bool>* stop) { stop_ = stop; }
+
+  /// True if every pair is at least the clearance apart (own pairs: not touching) at this configuration.
+  bool isFree(const EntityConfiguration& at);
+  /// True if that holds everywhere on the motion between() from one to the other, proven continuously. Motions that
+  /// keep the clearance by less than a tenth of it (at least 0.1 mm) may be called not free; never the reverse.
+  bool isFree(const EntityConfiguration& from, const EntityConfiguration& to);
+  /// What the last isFree() found in the way; empty after a free answer or a stop.
+  std::optional<Blocker> blocker() const;
+
+  /// The least distance (m) of all pairs but the own ones, up to `limit`; 0 in contact.
+  double clearanceAt(const EntityConfiguration& at, double limit);
+  /// The pair of that distance; empty if nothing is nearer than `limit`.
+  std::optional<Blocker> nearestAt(const EntityConfiguration& at, double limit);
+
+  /// The configuration at `s` in [0, 1] of the motion that is checked: joints straight, or origin straight and rotation
+  /// about a fixed axis.
+  EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const;
+  /// The longest path (m) of any point of the entity on that motion, as an upper bound.
+  double pathBound(const EntityConfiguration& from, const EntityConfiguration& to) const;
+  /// X_WT of a robot's tool centre point, or X_WE of a solid.
+  Pose toolAt(const EntityConfiguration& at) const;
+  /// The box around all that the entity could meet (m, world); empty if there is nothing.
+  const geometry::Bounds& obstacleBounds() const;
+  /// The radius (m) of a sphere around the origin of its frame E that holds a solid and what it carries; meaningless
+  /// for a robot.
+  double radius() const;
+
+  const workcell::Entity& entity() const;
+  bool hasJoints() const { return entity().robot() != nullptr; }
+  /// Its configuration in the scene, or in `placements`.
+  const EntityConfiguration& present() const;
+  /// What is not checked, in a sentence; empty: everything is.
+  const Text& note() const;
+  /// Configurations and motions that were checked by this object.
+  std::size_t checks() const { return checks_; }
+
+ private:
+  struct Plan;
+  explicit FreeSpace(std::shared_ptr<const Plan> plan);
+  bool ask(bool moves);
+  std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
+
+  std::shared_ptr<const Plan> plan_;
+  collision::Scene scene_;                    ///< The moved parts first, then the obstacles; all pairs.
+  std::optional<collision::Scene> measured_;  ///< The same without pairs of two moved parts.
+  double clearance_ = 0.0;
+  std::vector<double> clearances_;            ///< By tag: the pair's number.
+  std::vector<collision::MovedPart> moved_;   ///< Scratch.
+  std::vector<Pose> X_WP_;                    ///< Scratch.
+  std::vector<double> bounds_;                ///< Scratch.
+  std::optional<std::uint32_t> blocked_by_;
+  const std::atomic<bool>* stop_ = nullptr;
+  std::size_t checks_ = 0;
+};
+
+}  // namespace hapticell::planning

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "manipulation/holding/held_model.h"
+#include "manipulation/scene/prepared_scene.h"
+
+namespace hapticell::planning {
+
+using manipulation::EntityConfiguration;
+
+/// Goals of a plan.
+namespace goal {
+
+/// The tool centre point of a robot at X_WT, in any of its configurations; a solid's own frame at X_WT.
+struct ToPose {
+  Pose X_WT;
+};
+/// A robot's joints, one number a variable (rad or m).
+struct ToJoints {
+  std::vector<double> joints;
+};
+/// The tool (a solid's own frame) anywhere within a box and a cone of turns around X_WT.
+struct ToRegion {
+  Pose X_WT;
+  dvec3 half{0.0};    ///< m to both sides of X_WT's origin, along its axes.
+  double turn = 0.0;  ///< rad: greatest rotation away from X_WT's axes.
+};
+/// A solid wholly outside of the box around all that it could meet, by `margin` (m) more than the clearance.
+struct OutOfCell {
+  double margin = 0.0;
+};
+
+}  // namespace goal
+
+using Goal = std::variant<goal::ToPose, goal::ToJoints, goal::ToRegion, goal::OutOfCell>;
+
+/// What is to be planned: a value; the scene is shared and immutable.
+struct Problem {
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+  workcell::EntityId entity = 0;
+  /// Where entities are that do not stand as in the scene; the planned one too.
+  manipulation::Placements placements = {};
+  /// Where the motion begins; empty: where the entity stands.
+  std::optional<EntityConfiguration> start = {};
+  Goal goal = goal::ToPose{};
+  /// m that the whole motion keeps from everything but the entity's own links.
+  double clearance = 0.005;
+  /// Poses of the tool (of a solid: of its own frame) that the motion passes, in this order.
+  std::vector<Pose> through = {};
+  /// Configurations that a way may pass, in their order: a way shown by hand, an older plan. Their free stretches are
+  /// kept as bridges and joined by the search; where that fails, and with `through`, the plan does without them.
+  std::vector<EntityConfiguration> hints = {};
+  std::uint64_t seed = 1;
+  /// Checks (configurations and motions) that each of the searches may use between two places; what bounds the work.
+  std::size_t most_checks = 100'000;
+  /// s of wall time for the search; afterwards it is given up. It never changes which plan is found.
+  double time_limit_s = 10.0;
+  /// Threads at most; 0: one a core. The plan does not depend on it.
+  int threads = 0;
+  /// Checked before every check, by all threads: true ends the plan as cancelled within milliseconds. May be null.
+  const std::atomic<bool>* stop = nullptr;
+  /// Gets the progress, 0 .. 1, in the calling thread; may be empty.
+  std::function<void(double)> progress = {};
+};
+
+}  // namespace hapticell::planning

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/written_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manipulation/checks/joint_check.h"
+#include "manipulation/checks/motion_replay.h"
+#include "manipulation/checks/path_check.h"
+#include "trajectory/files/trajectory_io.h"
+
+namespace hapticell::planning {
+
+namespace {
+
+using trajectory::Trajectory;
+
+/// m and rad between two places that are measured. Half: twice the time; twice: a corner may hide 1 mm.
+constexpr double kFinePosition = 2e-3, kFineTurn = 4e-3;
+/// m: clearances are measured up to here.
+constexpr double kLook = 0.05;
+/// m, rad: ends are met so well: a hundred times the rounding of the timing's curves. Half: passes as well; twice: 2e-5
+/// off passes.
+constexpr double kEnds = 1e-5;
+/// rad, m beyond a limit: rounding of the curves. Half: passes as well; twice: 4e-5 beyond passes.
+constexpr double kBeyondLimit = 2e-5;
+
+/// The same motion with places between its frames.
+Trajectory refined(const Trajectory& given) {
+  Trajectory fine = given.emptyCopy();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (i > 0) {
+      const auto apart = trajectory::distanceBetween(given[i - 1].X_WT, given[i].X_WT);
+      double turn = apart.angle;
+      for (std::size_t j = 0; j < given.joint_names.size(); ++j) {
+        turn = std::max(turn, std::abs(given.joints(i)[j] - given.joints(i - 1)[j]));
+      }
+      const int pieces = static_cast<int>(std::ceil(std::max(apart.position / kFinePosition, turn / kFineTurn)));
+      for (int k = 1; k < pieces; ++k) {
+        Trajectory::Frame frame;
+        frame.t = given[i - 1].t + (given[i].t - given[i - 1].t) * k / pieces;
+        frame.X_WT = given.poseAt(frame.t);
+        fine.addFrame(frame, given.jointsAt(frame.t));
+      }
+    }
+    fine.addFrame(given[i], given.joints(i));
+  }
+  return fine;
+}
+
+double differenceOf(const Trajectory& motion, std::size_t frame, const EntityConfiguration& wanted,
+                    const std::vector<std::size_t>& columns) {
+  if (columns.empty()) {
+    const auto apart = trajectory::distanceBetween(motion[frame].X_WT, wanted.X_WE);
+    return std::max(apart.position, apart.angle);
+  }
+  double worst = 0.0;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    worst = std::max(worst, std::abs(motion.joints(frame)[j] - wanted.joints[columns[j]]));
+  }
+  return worst;
+}
+
+struct Clearance {
+  double least = kLook, t = 0.0;
+};
+
+/// Of a robot: what no joint moves (a base on its table) is left out.
+Expected<Clearance> clearanceOfJoints(const Trajectory& fine, const std::vector<std::size_t>& columns,
+                                      const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                      const workcell::Entity& entity, double look,
+                                      const config::Configuration& configuration) {
+  auto check = manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOut);
+  HAPTICELL_TRY(check);
+  Clearance clearance{look, 0.0};
+  std::vector<double> joints = entity.joints();
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) joints[columns[j]] = fine.joints(i)[j];
+    const double distance = check->clearance(joints, clearance.least);
+    if (distance < clearance.least) clearance = {distance, fine[i].t};
+  }
+  return clearance;
+}
+
+}  // namespace
+
+Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, const Plan& plan, double clearance,
+                                       const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                       workcell::EntityId id, const config::Configuration& configuration) {
+  const workcell::Entity* entity = scene->find(id);
+  auto motion = trajectory::readTrajectory(written);
+  HAPTICELL_TRY(motion);
+  if (entity == nullptr || motion->entity != entity->name || motion->empty())
+    return makeError({.file = written.string(),
+                      .found = Text("a motion of '%1'", motion->entity),
+                      .expected = "a motion of the entity that was planned for"});
+  const auto columns = manipulation::jointColumns(*entity, *motion);
+  HAPTICELL_TRY(columns);
+  const Trajectory fine = refined(*motion);
+  manipulation::PathCheckOptions options;
+  options.look = std::max(kLook, 2.0 * clearance);
+  const auto check = manipulation::checkPath(scene, entity->name, fine, options, configuration);
+  HAPTICELL_TRY(check);
+
+  Clearance least{std::min(options.look, check->least_clearance), check->t_nearest};
+  if (!columns->empty()) {
+    auto of_joints = clearanceOfJoints(fine, *columns, scene, *entity, options.look, configuration);
+    HAPTICELL_TRY(of_joints);
+    least = *of_joints;
+  }
+  double contacts = 0.0, beyond = 0.0;
+  Text where_contact, where_beyond;
+  for (const manipulation::PathFinding& finding : check->findings) {
+    if (finding.kind == manipulation::PathFinding::Kind::kCollision) {
+      contacts += 1.0;
+      where_contact = Text("%1 touches %2", finding.first, finding.second);
+    }
+    if (finding.kind == manipulation::PathFinding::Kind::kJointLimit && finding.worst > beyond) {
+      beyond = finding.worst;
+      where_beyond = Text("joint '%1'", finding.first);
+    }
+  }
+  if (contacts > 0.0) least.least = 0.0;
+  const auto timeText = [](double t) { return Text("at %1 s", std::to_string(t)); };
+  Promises promises;
+  // A millionth of a metre: distances of the file's numbers, written to the last bit, differ by far less.
+  promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
+  promises.list.push_back({"contacts", 0.0, contacts, "", where_contact, false, 0.0});
+  promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
+  promises.list.push_back({"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), "", {}, false, 0.0});
+  promises.list.push_back(
+      {"goal", kEnds, differenceOf(*motion, motion->size() - 1, plan.waypoints.back(), *columns), "", {}, false, 0.0});
+  promises.help = "Ask for a larger clearance, or for another seed.";
+  return promises;
+}
+
+}  // namespace hapticell::planning

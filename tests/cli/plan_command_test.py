@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The command `plan`: motions of a robot and of a solid, and why there is none.
+
+usage: plan_command_test.py HAPTICELL_CLI [NAME_PART]
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CLI = str(pathlib.Path(sys.argv[1]).resolve())
+START = [0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
+GOAL = [-0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
+
+
+def run(*words, folder, expect=0):
+    done = subprocess.run([CLI, *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, timeout=300, cwd=folder)
+    assert done.returncode == expect, (done.returncode, done.stdout, done.stderr)
+    return done
+
+
+def robot_cell(folder):
+    run("workcell", "new", "cell.hcell", "--add", "library:ur5e,name=robot",
+        "--add", "box:0.6,0.04,0.5,name=wall,pose=0.6,0,0.25,1,0,0,0",
+        "--add", "box:1,1,0.1,name=plate,pose=0,0,-0.05,1,0,0,0", folder=folder)
+    cell = json.loads((folder / "cell.hcell").read_text())
+    next(one for one in cell["entities"] if one["name"] == "robot")["joints"] = START
+    (folder / "cell.hcell").write_text(json.dumps(cell))
+
+
+def box_cell(folder):
+    run("workcell", "new", "box.hcell", "--add", "box:0.1,0.04,0.04,name=bar,pose=0,0,0.1,1,0,0,0",
+        "--add", "box:0.02,0.34,0.3,name=left,pose=-0.16,0,0.15,1,0,0,0",
+        "--add", "box:0.02,0.34,0.3,name=right,pose=0.16,0,0.15,1,0,0,0",
+        "--add", "box:0.34,0.34,0.02,name=floor,pose=0,0,-0.01,1,0,0,0", folder=folder)
+
+
+def plan(*words, folder, expect=0):
+    done = run("plan", *words, folder=folder, expect=expect)
+    return json.loads(done.stdout)
+
+
+def to_goal(folder, output, *words, expect=0):
+    return plan("--workcell", "cell.hcell", "--entity", "robot", "--to-joints", ",".join(map(str, GOAL)), "-o", output,
+                *words, folder=folder, expect=expect)
+
+
+def test_a_plan_keeps_its_clearance_on_the_written_file(folder):
+    robot_cell(folder)
+    answer = to_goal(folder, "path.htraj", "--clearance", "0.01")
+    assert answer["solved"] is True, answer
+    assert answer["clearance_min_m"] >= 0.01 - 1e-6, answer
+    assert answer["length"] > 0.3 and answer["time_s"] > 0 and answer["checks"] > 0, answer
+    # The check of motions, which knows nothing of plans.
+    check = json.loads(run("trajectory", "check", "path.htraj", "--workcell", "cell.hcell", "--entity", "robot",
+                           "--fail-on-contact", "--fail-on-limit", folder=folder).stdout)
+    assert check["free"] and check["within_limits"], check
+    motion = json.loads((folder / "path.htraj").read_text())
+    assert motion["format"] == "hapticell-trajectory"
+    info = json.loads(run("trajectory", "info", "path.htraj", folder=folder).stdout)
+    assert abs(info["duration"] - answer["duration_s"]) < 1e-9, (info, answer)
+
+
+def test_equal_seeds_give_equal_files(folder):
+    robot_cell(folder)
+    one = to_goal(folder, "one.htraj", "--seed", "4", "--jobs", "1")
+    two = to_goal(folder, "two.htraj", "--seed", "4", "--jobs", "2", "--time", "500")
+    assert (folder / "one.htraj").read_bytes() == (folder / "two.htraj").read_bytes()
+    assert one["checks"] == two["checks"], (one, two)
+
+
+def test_a_part_leaves_its_box(folder):
+    box_cell(folder)
+    answer = plan("--workcell", "box.hcell", "--entity", "bar", "--out", "-o", "out.csv", folder=folder)
+    assert answer["solved"] and answer["clearance_min_m"] >= 0.005 - 1e-6, answer
+    last = [float(word) for word in (folder / "out.csv").read_text().splitlines()[-1].split(",")]
+    assert max(abs(last[1]), abs(last[2]), last[3] - 0.2, -last[3]) > 0.1, last
+
+
+def test_a_motion_passes_given_poses(folder):
+    box_cell(folder)
+    (folder / "through.csv").write_text("x,y,z,qw,qx,qy,qz\n0,0,0.6,1,0,0,0\n0.5,0,0.6,1,0,0,0\n")
+    answer = plan("--workcell", "box.hcell", "--entity", "bar", "--to", "0.5,0,0.1,1,0,0,0", "--through", "through.csv",
+                  "-o", "way.csv", folder=folder)
+    assert answer["solved"], answer
+    rows = [[float(word) for word in line.split(",")[:4]] for line in (folder / "way.csv").read_text().splitlines()[1:]]
+    for place in ((0, 0, 0.6), (0.5, 0, 0.6), (0.5, 0, 0.1)):
+        nearest = min(max(abs(a - b) for a, b in zip(row[1:], place)) for row in rows)
+        assert nearest < 5e-3, (place, nearest)
+
+
+def test_an_unreachable_goal_is_explained(folder):
+    robot_cell(folder)
+    answer = plan("--workcell", "cell.hcell", "--entity", "robot", "--to", "3,0,0.5,1,0,0,0", "-o", "no.htraj", folder=folder,
+                  expect=1)
+    assert answer["solved"] is False and answer["constraint"] == "reach" and "reach" in answer["reason"], answer
+    box_cell(folder)
+    answer = plan("--workcell", "box.hcell", "--entity", "bar", "--to", "0.15,0,0.1,1,0,0,0", "-o", "no.htraj", folder=folder,
+                  expect=1)
+    assert answer["constraint"] == "blocked" and answer["blocked_by"] == "right", answer
+    assert 0 < answer["nearest"]["distance"] < 0.3, answer
+    assert not (folder / "no.htraj").exists()
+
+
+def test_wrong_words_are_refused(folder):
+    box_cell(folder)
+    base = ("plan", "--workcell", "box.hcell", "--entity", "bar", "-o", "no.htraj")
+    for words in ((), ("--out", "--to", "0,0,1,1,0,0,0"), ("--to", "0,0,1"), ("--to-joints", "1,2"), ("--to", "0,0,1,2,0,0,0")):
+        said = run(*base, *words, folder=folder, expect=2).stderr
+        assert said.strip(), words
+    said = run("plan", "--workcell", "box.hcell", "--entity", "nut", "--out", "-o", "no.htraj", folder=folder, expect=2).stderr
+    assert "'nut'" in said and "bar" in said, said
+    said = run("plan", "--workcell", "box.hcell", "--entity", "bar", "--out", "-o", "no.txt", folder=folder, expect=2).stderr
+    assert ".htraj" in said, said
+    assert not (folder / "no.htraj").exists()
+
+
+def main():
+    part = sys.argv[2] if len(sys.argv) > 2 else ""
+    for name, test in list(globals().items()):
+        if name.startswith("test_") and part in name:
+            with tempfile.TemporaryDirectory() as folder:
+                test(pathlib.Path(folder))
+            print(f"{name}: ok", flush=True)
+
+
+if __name__ == "__main__":
+    main()

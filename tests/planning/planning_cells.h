@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "manipulation/scene/prepared_scene.h"
+#include "workcell/import/entity_source.h"
+
+namespace hapticell::planning::test {
+
+inline workcell::Entity loaded(const std::string& what, workcell::EntityId id, const std::string& name,
+                               const Pose& X_WE) {
+  workcell::EntityLoader loader("/");
+  Diagnostics notes;
+  workcell::Entity entity = *loader.load(what, 0.0, notes);
+  entity.id = id;
+  entity.name = name;
+  entity.X_WE = X_WE;
+  if (entity.robot() && entity.joints().empty()) entity.setJoints(kinematics::restPositions(*entity.robot()));
+  return entity;
+}
+
+/// A robot (1) on a plate (4) that its base touches, with a wall (2) in front of it, a gripper of a box (3) on its
+/// flange.
+inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gripper = false) {
+  std::vector<workcell::Entity> entities{loaded("library:ur5e", 1, "robot", {}),
+                                         loaded("box:0.6,0.04,0.5", 2, "wall", Pose::translation({0.6, 0.0, 0.25})),
+                                         loaded("box:1.0,1.0,0.1", 4, "plate", Pose::translation({0.0, 0.0, -0.05}))};
+  entities.front().setJoints({0.6, -1.2, 1.2, -1.5, -1.5, 0.0});
+  if (with_gripper) {
+    const auto& robot = entities.front();
+    const int tip = robot.robot()->defaultTip();
+    std::vector<Pose> X_BL;
+    kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
+    workcell::Entity gripper = loaded("box:0.05,0.05,0.2", 3, "gripper",
+                                      X_BL[static_cast<std::size_t>(tip)] * Pose::translation({0.0, 0.0, 0.14}));
+    gripper.attachment.to = "robot";
+    gripper.attachment.link = robot.robot()->links[static_cast<std::size_t>(tip)].name;
+    entities.push_back(std::move(gripper));
+  }
+  return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+}
+
+/// A bar (1) 0.2 m long that lies in a box of five plates, open above or with a lid (7); the opening is `width` (m) wide
+/// both ways.
+inline std::shared_ptr<const manipulation::PreparedScene> boxWithBar(double width, bool has_lid = false) {
+  const double wall = 0.02, side = width / 2.0 + wall / 2.0;
+  const std::string along = "box:" + std::to_string(wall) + "," + std::to_string(width + 2.0 * wall) + ",0.3";
+  const std::string across = "box:" + std::to_string(width + 2.0 * wall) + "," + std::to_string(wall) + ",0.3";
+  const std::string floor = "box:" + std::to_string(width + 2.0 * wall) + "," + std::to_string(width + 2.0 * wall) + ",0.02";
+  std::vector<workcell::Entity> entities{loaded("box:0.2,0.04,0.04", 1, "bar", Pose::translation({0, 0, 0.1})),
+                                               loaded(along, 2, "left", Pose::translation({-side, 0, 0.15})),
+                                               loaded(along, 3, "right", Pose::translation({side, 0, 0.15})),
+                                               loaded(across, 4, "front", Pose::translation({0, -side, 0.15})),
+                                               loaded(across, 5, "back", Pose::translation({0, side, 0.15})),
+                                               loaded(floor, 6, "floor", Pose::translation({0, 0, -0.01}))};
+  if (has_lid) entities.push_back(loaded(floor, 7, "lid", Pose::translation({0, 0, 0.31})));
+  return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+}
+
+}  // namespace hapticell::planning::test
