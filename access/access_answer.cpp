@@ -7,6 +7,7 @@
 
 #include "access/planned_way.h"
 #include "access/removal_order.h"
+#include "geometry/system/in_parallel.h"
 
 namespace hapticell::access {
 
@@ -178,13 +179,17 @@ class Asking {
     const RemovalStep* step = answer_.step();
     if (step == nullptr) return;
     const auto& bodies = question_.people.bodies;
-    for (std::size_t i = 0; i < bodies.size() && !cancel_; ++i) {
-      BodyQuestion one = question_.people;
-      one.bodies = {bodies[i]};
-      auto found = bodyAccess(scene(), 0, step->gone, step->way, one, cancel_);
-      for (BodyAccess& body : found) answer_.people.push_back(std::move(body));
-      report(0.6 + 0.4 * static_cast<double>(i + 1) / static_cast<double>(bodies.size()));
-    }
+    std::vector<std::vector<BodyAccess>> found(bodies.size());
+    geometry::inRanges(bodies.size(), geometry::rangesOf(bodies.size(), 1),
+                       [&](std::size_t, std::size_t begin, std::size_t end) {
+                         for (std::size_t i = begin; i < end; ++i) {
+                           BodyQuestion one = question_.people;
+                           one.bodies = {bodies[i]};
+                           found[i] = bodyAccess(scene(), 0, step->gone, step->way, one, cancel_);
+                         }
+                       });
+    for (auto& some : found)
+      for (BodyAccess& body : some) answer_.people.push_back(std::move(body));
   }
 
   const AccessQuestion& question_;

@@ -28,7 +28,8 @@ class Page {
     report.date = frame.date;
     report.language = frame.language;
     report.result_words = say_(resultText(question_.part, answer_));
-    report.result_band = answer_.removable ? 0 : answer_.order.empty() ? 3 : 1;
+    report.result_band = 0;
+    if (!answer_.removable) report.result_band = answer_.order.empty() ? 3 : 1;
     if (const BodyAccess* worst = worstPerson())
       report.picture = ergonomics::reportPicture(worst->figure, worst->posture, worst->scores, ergonomics::ColourMethod::kRula);
     if (!answer_.order.empty()) report.blocks.push_back(order());

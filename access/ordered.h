@@ -9,7 +9,7 @@
 namespace hapticell::access {
 
 /// The items by their keys, the least first; of equal ones the first. Sorts numbers, not items: std::stable_sort of g++ 12
-/// spoils the first of items with glm vectors (-O3, GLM_FORCE_CTOR_INIT).
+/// spoils the first one of glm vectors (-O3, GLM_FORCE_CTOR_INIT).
 template <class Item, class KeyOf>
 std::vector<Item> ordered(std::vector<Item> items, const KeyOf& key_of) {
   std::vector<std::pair<decltype(key_of(items[0])), std::size_t>> order;

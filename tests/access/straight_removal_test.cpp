@@ -3,6 +3,7 @@
 
 #include "access/ordered.h"
 #include "access/removal_directions.h"
+#include "access/sweep_limits.h"
 #include "access/thinned_mesh.h"
 #include "collision/queries/proximity_query.h"
 #include "tests/access/access_cell.h"
@@ -37,6 +38,13 @@ TEST(ThinnedMesh, MovesEachFaceOfABoxInwards) {
   // A cylinder's side moves by the same; a thin sheet by a tenth of its thickness.
   EXPECT_NEAR(thinned(geometry::makeCylinder(0.05, 0.1, 64), 1e-3).bounds().max.x, 0.049, 5e-6);
   EXPECT_NEAR(thinned(geometry::makeBox({0.1, 0.1, 1e-3}), 1e-3).bounds().size().z, 0.8e-3, 1e-8);
+}
+
+TEST(AreApart, OnlyWithAGapAlongAnAxis) {
+  const geometry::Bounds a{dvec3(0.0), dvec3(1.0)};
+  EXPECT_TRUE(areApart(a, {{1.5, 0.0, 0.0}, {2.0, 1.0, 1.0}}));
+  EXPECT_FALSE(areApart(a, {{1.0, 0.0, 0.0}, {2.0, 1.0, 1.0}}));
+  EXPECT_FALSE(areApart(a, {{0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}}));
 }
 
 TEST(Ordered, KeepsEachItemWhole) {
