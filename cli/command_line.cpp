@@ -11,6 +11,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "cli/access/access_commands.h"
 #include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
@@ -57,6 +58,7 @@ CommandLine::CommandLine() {
   Subcommand words(app_);
   Action& chosen = chosen_;
   // One line a command; each comes with the file that defines it.
+  addAccessCommand(words, chosen);
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
   addDistanceCommand(words, chosen);

@@ -275,6 +275,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 octets sans l'identifiant</translation>
     </message>
     <message>
+        <source>%1 can be taken out as the cell stands.</source>
+        <translation>%1 peut être retiré, la cellule étant ce qu'elle est.</translation>
+    </message>
+    <message>
+        <source>%1 can be taken out once %2 parts have gone.</source>
+        <translation>%1 peut être retiré après %2 autres pièces.</translation>
+    </message>
+    <message>
         <source>%1 cannot be made from this geometry</source>
         <translation>%1 : impossible avec cette géométrie</translation>
     </message>
@@ -907,6 +915,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 processus y ont déjà un journal</translation>
     </message>
     <message>
+        <source>%1 reaches it and stays with it on %2 % of the way; sees %3 % of the part.</source>
+        <translation>%1 l'atteint et l'accompagne sur %2 % du chemin ; voit %3 % de la pièce.</translation>
+    </message>
+    <message>
         <source>%1 responds at %2.</source>
         <translation>%1 répond à %2.</translation>
     </message>
@@ -1443,6 +1455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2.</translation>
     </message>
     <message>
+        <source>%1: %2; sees %3 % of the part.</source>
+        <translation>%1 : %2 ; voit %3 % de la pièce.</translation>
+    </message>
+    <message>
         <source>%1: %2; the shape is left out</source>
         <translation>%1 : %2 ; la forme est omise</translation>
     </message>
@@ -1775,6 +1791,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide : %2</translation>
     </message>
     <message>
+        <source>'%1' has no shape of its own that can be taken out</source>
+        <translation>« %1 » n'a pas de forme propre qui puisse être retirée</translation>
+    </message>
+    <message>
         <source>'%1' has no such joint</source>
         <translation>'%1' n'a pas cet axe</translation>
     </message>
@@ -1819,6 +1839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' est omis : les tâches parallèles ne sont pas lues.</translation>
     </message>
     <message>
+        <source>'%1' is locked</source>
+        <translation>« %1 » est verrouillé</translation>
+    </message>
+    <message>
         <source>'%1' is locked in place</source>
         <translation>'%1' est verrouillé en place</translation>
     </message>
@@ -1829,6 +1853,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'%1' is not a solid of the cell</source>
         <translation>'%1' n'est pas un solide de la cellule</translation>
+    </message>
+    <message>
+        <source>'%1' is not below '%2'</source>
+        <translation>« %1 » n'est pas sous « %2 »</translation>
     </message>
     <message>
         <source>'%1' is not in the file or not supported; if it moves the robot, these moves are missing.</source>
@@ -2111,6 +2139,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--output</translation>
     </message>
     <message>
+        <source>--part</source>
+        <translation>--part</translation>
+    </message>
+    <message>
         <source>--plane</source>
         <translation>--plane</translation>
     </message>
@@ -2213,6 +2245,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--view</source>
         <translation>--view</translation>
+    </message>
+    <message>
+        <source>--within</source>
+        <translation>--within</translation>
     </message>
     <message>
         <source>--workcell</source>
@@ -2659,6 +2695,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étude nomme le fichier de sa cellule, et celle-ci n'en a pas encore.</translation>
     </message>
     <message>
+        <source>A shorter order may exist: this one was not proven to be the shortest.</source>
+        <translation>Un ordre plus court existe peut-être : il n'est pas prouvé que celui-ci soit le plus court.</translation>
+    </message>
+    <message>
         <source>A trajectory is not saved</source>
         <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
@@ -2697,6 +2737,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Acceleration</source>
         <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Access for maintenance</source>
+        <translation>Accès pour la maintenance</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2789,6 +2833,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Adjustable bench</source>
         <translation>Établi réglable</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
     </message>
     <message>
         <source>Against</source>
@@ -2985,6 +3033,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ask for a stature instead.</source>
         <translation>Indiquez plutôt une stature.</translation>
+    </message>
+    <message>
+        <source>Ask with another --tolerance, or write the way only for what it is.</source>
+        <translation>Demandez avec une autre --tolerance, ou n'écrivez le chemin que pour ce qu'il est.</translation>
+    </message>
+    <message>
+        <source>Ask without --output for what blocks it.</source>
+        <translation>Demandez sans --output ce qui le bloque.</translation>
     </message>
     <message>
         <source>Assign</source>
@@ -3311,6 +3367,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Annuler : le changement n'est pas senti avant le prochain</translation>
     </message>
     <message>
+        <source>Cancelled before everything was answered.</source>
+        <translation>Annulé avant que tout ait une réponse.</translation>
+    </message>
+    <message>
         <source>Cancelled: the map is not complete. </source>
         <translation>Interrompu : la carte n'est pas complète. </translation>
     </message>
@@ -3601,6 +3661,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clearance, nearest pair</source>
         <translation>Distance minimale</translation>
+    </message>
+    <message>
+        <source>Clearances on its way</source>
+        <translation>Jeux sur son chemin</translation>
     </message>
     <message>
         <source>Click Pick to measure again.</source>
@@ -5667,6 +5731,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
     <message>
+        <source>It overlaps %1 at rest, by more than counts as touching.</source>
+        <translation>Il chevauche %1 au repos, plus qu'un simple contact.</translation>
+    </message>
+    <message>
         <source>It stays in the cell until you quit. Export it to keep it.</source>
         <translation>Elle reste dans la cellule jusqu'à la fermeture. Exportez-la pour la garder.</translation>
     </message>
@@ -5857,6 +5925,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Least clearance</source>
+        <translation>Jeu minimal</translation>
     </message>
     <message>
         <source>Leave one of the two files out.</source>
@@ -6559,6 +6631,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il faut au moins six axes rotatifs dont les trois derniers forment un poignet</translation>
     </message>
     <message>
+        <source>Neighbour</source>
+        <translation>Voisin</translation>
+    </message>
+    <message>
         <source>Never saved. Kept up to %1.</source>
         <translation>Jamais enregistrée. Gardée jusqu’au %1.</translation>
     </message>
@@ -6851,6 +6927,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun stylet n'est connecté. Le guide se voit, sans se sentir.</translation>
     </message>
     <message>
+        <source>No way out was found for %1.</source>
+        <translation>Aucun chemin de sortie n'a été trouvé pour %1.</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
@@ -7067,6 +7147,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Seul le groupe de mouvement 1 est lu.</translation>
     </message>
     <message>
+        <source>Only the %1 nearest parts of %2 can go first in this answer; the others count as fixed.</source>
+        <translation>Seules les %1 pièces les plus proches sur %2 peuvent partir d'abord dans cette réponse ; les autres comptent comme fixes.</translation>
+    </message>
+    <message>
         <source>Only the simulated stylus. No problems found.</source>
         <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
     </message>
@@ -7191,6 +7275,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ou plusieurs</translation>
     </message>
     <message>
+        <source>Order of removal</source>
+        <translation>Ordre de démontage</translation>
+    </message>
+    <message>
         <source>Orient faces outwards</source>
         <translation>Orienter les faces vers l'extérieur</translation>
     </message>
@@ -7229,6 +7317,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Overhead</source>
         <translation>Au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>Overlap of up to %1 counts as touching.</source>
+        <translation>Un chevauchement jusqu'à %1 compte comme un contact.</translation>
     </message>
     <message>
         <source>Own frame %1</source>
@@ -7435,6 +7527,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces</translation>
     </message>
     <message>
+        <source>Parts are rigid; what holds a part only by friction or a thread holds nothing.</source>
+        <translation>Les pièces sont rigides ; ce qui ne tient une pièce que par frottement ou par un filetage ne tient rien.</translation>
+    </message>
+    <message>
         <source>Parts of a mechanism are solids of the cell.</source>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
     </message>
@@ -7513,6 +7609,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Perpendicular to %1</source>
         <translation>Perpendiculaire à %1</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Personne</translation>
+    </message>
+    <message>
+        <source>Persons</source>
+        <translation>Personnes</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -8023,6 +8127,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Atteint : largeur %1 %, profondeur %2 %, hauteur %3 %</translation>
     </message>
     <message>
+        <source>Reaches</source>
+        <translation>Atteint</translation>
+    </message>
+    <message>
         <source>Reaching</source>
         <translation>En atteignant</translation>
     </message>
@@ -8137,6 +8245,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Reload from disk</source>
         <translation>Recharger depuis le disque</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -8373,6 +8485,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)</source>
         <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Room for a glove: %1 around the hand. The part weighs %2 kg.</source>
+        <translation>Place pour un gant : %1 autour de la main. La pièce pèse %2 kg.</translation>
     </message>
     <message>
         <source>Rotate</source>
@@ -8713,6 +8829,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>See hapticell-cli COMMAND --help.</source>
         <translation>Voyez hapticell-cli COMMAND --help.</translation>
+    </message>
+    <message>
+        <source>Sees</source>
+        <translation>Voit</translation>
     </message>
     <message>
         <source>Select</source>
@@ -10287,6 +10407,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Touchez quelque chose, efforts en marche, pour mesurer le délai entre ressenti et affichage</translation>
     </message>
     <message>
+        <source>Touches at rest</source>
+        <translation>Contact au repos</translation>
+    </message>
+    <message>
         <source>Touchpad</source>
         <translation>Pavé tactile</translation>
     </message>
@@ -10477,6 +10601,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Unlock it in the tree or in its properties.</source>
         <translation>Déverrouillez-la dans l'arbre ou dans ses propriétés.</translation>
+    </message>
+    <message>
+        <source>Unlock it, or ask for another part.</source>
+        <translation>Déverrouillez-le, ou demandez une autre pièce.</translation>
     </message>
     <message>
         <source>Unpack it, or export it again.</source>
@@ -10679,6 +10807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poids</translation>
     </message>
     <message>
+        <source>Way</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
         <source>Weight limit</source>
         <translation>Poids limite</translation>
     </message>
@@ -10703,6 +10835,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui est exigé</translation>
     </message>
     <message>
+        <source>What blocks it as the cell stands</source>
+        <translation>Ce qui le bloque dans la cellule telle quelle</translation>
+    </message>
+    <message>
         <source>What the 3D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
     </message>
@@ -10725,6 +10861,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What varies</source>
         <translation>Ce qui varie</translation>
+    </message>
+    <message>
+        <source>What was assumed</source>
+        <translation>Ce qui a été supposé</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -10761,6 +10901,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Window</source>
         <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>With a tool, %1 long, %2 thick.</source>
+        <translation>Avec un outil long de %1, épais de %2.</translation>
     </message>
     <message>
         <source>Without --robot, the configuration data are the format's defaults. Check them on the controller.</source>
@@ -11991,6 +12135,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une partie de ce texte</translation>
     </message>
     <message>
+        <source>a part that can be moved</source>
+        <translation>une pièce qui peut être déplacée</translation>
+    </message>
+    <message>
         <source>a part that the file still has</source>
         <translation>une pièce encore présente dans le fichier</translation>
     </message>
@@ -12881,6 +13029,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an assembly inside itself</source>
         <translation>un assemblage à l'intérieur de lui-même</translation>
+    </message>
+    <message>
+        <source>an assembly that holds '%1'</source>
+        <translation>un assemblage qui contient « %1 »</translation>
     </message>
     <message>
         <source>an attempt</source>
@@ -14327,6 +14479,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>en équilibre</translation>
     </message>
     <message>
+        <source>in several pieces</source>
+        <translation>en plusieurs morceaux</translation>
+    </message>
+    <message>
         <source>in the file, %1 points up; the model was rotated so that z points up</source>
         <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
     </message>
@@ -14567,6 +14723,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>il relie la pièce '%1' à elle-même</translation>
     </message>
     <message>
+        <source>it meets '%1' in frame %2</source>
+        <translation>il rencontre « %1 » à l'image %2</translation>
+    </message>
+    <message>
         <source>it needs a good, fair or poor grip.</source>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
@@ -14761,6 +14921,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>late %1 ms</source>
         <translation>retard %1 ms</translation>
+    </message>
+    <message>
+        <source>leaves at once</source>
+        <translation>le quitte aussitôt</translation>
     </message>
     <message>
         <source>left %1</source>
@@ -15311,6 +15475,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de réponse</translation>
     </message>
     <message>
+        <source>no assembly is named '%1'</source>
+        <translation>aucun assemblage ne s'appelle « %1 »</translation>
+    </message>
+    <message>
         <source>no body size</source>
         <translation>pas de taille</translation>
     </message>
@@ -15645,6 +15813,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no variant %1</source>
         <translation>pas de variante %1</translation>
+    </message>
+    <message>
+        <source>no way out was found for %1, so nothing was written</source>
+        <translation>aucun chemin de sortie n'a été trouvé pour %1, donc rien n'a été écrit</translation>
     </message>
     <message>
         <source>no way to the goal was found in %1 s</source>
@@ -16155,6 +16327,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>du texte simple (UTF-8)</translation>
     </message>
     <message>
+        <source>planned</source>
+        <translation>planifié</translation>
+    </message>
+    <message>
         <source>planning was cancelled</source>
         <translation>la planification a été annulée</translation>
     </message>
@@ -16511,6 +16687,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>shipped ou classic</translation>
     </message>
     <message>
+        <source>shown by hand</source>
+        <translation>montré à la main</translation>
+    </message>
+    <message>
         <source>simplified</source>
         <translation>simplifié</translation>
     </message>
@@ -16639,6 +16819,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>code %1</translation>
     </message>
     <message>
+        <source>stays with it on %1 % of the way</source>
+        <translation>l'accompagne sur %1 % du chemin</translation>
+    </message>
+    <message>
         <source>step</source>
         <translation>pas</translation>
     </message>
@@ -16665,6 +16849,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>stopped before its end</source>
         <translation>arrêté avant la fin</translation>
+    </message>
+    <message>
+        <source>stopped before everything was answered</source>
+        <translation>arrêté avant que tout ait une réponse</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
     </message>
     <message>
         <source>study submit</source>
@@ -17225,6 +17417,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file's %1 axis</source>
         <translation>l'axe %1 du fichier</translation>
+    </message>
+    <message>
+        <source>the file's ending '%1'</source>
+        <translation>la terminaison « %1 » du fichier</translation>
     </message>
     <message>
         <source>the folder already exists and is not empty</source>
@@ -17981,6 +18177,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the version number is missing</source>
         <translation>le numéro de version manque</translation>
+    </message>
+    <message>
+        <source>the way of '%1'</source>
+        <translation>le chemin de « %1 »</translation>
     </message>
     <message>
         <source>the whole number %1</source>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/kit/result_writer.h"
+#include "cli/kit/stop_signal.h"
 #include "cli/study/chunk_option.h"
 #include "cli/study/study_commands.h"
 #include "cli/study/study_progress.h"

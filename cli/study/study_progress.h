@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <chrono>
 
-#include "cli/kit/command_listener.h"
 #include "studies/runner/study_run.h"
 
 namespace hapticell::cli {
@@ -28,19 +26,5 @@ class StudyProgress {
 
 /// "1 h 05 min", "12 s"
 std::string durationWords(double seconds);
-
-/// While one of these lives, Ctrl+C and the system's wish to end only set a flag; the second one ends the program. With
-/// a CommandListener, signals stay as they are and the listener is asked.
-class StopSignal {
- public:
-  StopSignal();
-  ~StopSignal();
-  StopSignal(const StopSignal&) = delete;
-  StopSignal& operator=(const StopSignal&) = delete;
-  const std::atomic<bool>& asked() const;
-
- private:
-  CommandListener* const listener_;
-};
 
 }  // namespace hapticell::cli

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geometry/system/listed.h"
+#include "manipulation/checks/body_contacts.h"
 #include "manipulation/checks/hand_targets.h"
 #include "manipulation/checks/mannequin_sight.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
@@ -10,7 +11,6 @@
 #include "mannequin/posture/posture_solver.h"
 #include "mannequin/shape/figure_model.h"
 #include "studies/document/study_section.h"
-#include "studies/questions/body_contacts.h"
 #include "studies/questions/question_kinds.h"
 #include "studies/variants/placed_entities.h"
 
@@ -135,7 +135,7 @@ class PostureQuestion : public Question {
     const auto found = mannequin::PostureSolver(*body.figure()).solve(task, start);
     const bool solved = found.status == mannequin::PostureStatus::kSolved;
     for (const double error : found.hand_position_error) tally.short_m = std::max(tally.short_m, error);
-    const std::string entered = enteredByBody(scene, body, found.posture);
+    const std::string entered = manipulation::enteredByBody(scene, body, found.posture);
     if (tally.touched.empty()) tally.touched = entered;
     ++tally.steps;
     tally.touching += entered.empty() ? 0 : 1;

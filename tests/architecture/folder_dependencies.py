@@ -41,6 +41,7 @@ ALLOWED = {
     "planning": ENGINES - {"mannequin"} | {"workcell", "manipulation"},
     "studies": ENGINES | {"workcell", "manipulation", "planning"},
     "bridge": {"*"},
+    "access": ENGINES | {"workcell", "manipulation", "planning"},
     "cli": {"*"},
     "python": {"*"},
     "app": {"*"},

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studies/questions/body_contacts.h"
+#include "manipulation/checks/body_contacts.h"
 
 #include "collision/queries/proximity_query.h"
 #include "geometry/shapes/bounds.h"
 #include "mannequin/shape/figure_model.h"
 
-namespace hapticell::studies {
+namespace hapticell::manipulation {
 
 namespace {
-
-using manipulation::PreparedScene;
-using manipulation::ScenePart;
 
 /// m: nearer boxes are looked at; contact is far below. Half and twice: a little less or more to query.
 constexpr double kNear = 1e-3;
@@ -49,4 +46,4 @@ std::string enteredByBody(const PreparedScene& scene, const workcell::Entity& bo
   return {};
 }
 
-}  // namespace hapticell::studies
+}  // namespace hapticell::manipulation
