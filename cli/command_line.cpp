@@ -8,6 +8,7 @@
 #include <clocale>
 #include <exception>
 
+#include "cli/agents/agents_command.h"
 #include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
@@ -68,6 +69,7 @@ int runCommandLine(int argc, char** argv) {
   Action chosen;
   Subcommand words(app);
   // One line a command; each comes with the file that defines it.
+  addAgentsCommand(words, chosen);
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
   addDistanceCommand(words, chosen);

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer",
+FOLDERS = ("agents", "app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer",
            "kinematics", "manipulation", "mannequin", "studies", "tests", "tools", "trajectory", "workcell", "xacro")
 # What holds no code: comments, strings, characters, the preprocessor's lines.
 BLANK = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^\s()\\]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''

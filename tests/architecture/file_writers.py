@@ -42,7 +42,7 @@ ALLOWED = {
 # Ports of devices and cables to them are opened for reading and writing.
 DEVICES = "haptic/devices/"
 DEVICE_WORDS = {"o_rdwr", "o_wronly"}
-FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
+FOLDERS = ("agents", "app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
            "mannequin", "studies", "trajectory", "workcell", "xacro")
 
 

@@ -10,7 +10,7 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 
-FOLDERS = ("app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
+FOLDERS = ("agents", "app", "cli", "collision", "config", "feel", "geometry", "haptic", "importer", "kinematics", "manipulation",
            "mannequin", "studies", "trajectory", "workcell", "xacro")
 LANGUAGE = re.compile(r"\bk(French|English)\s*\?")
 TEXTS = re.compile(r'#include "(geometry/system/text|app/style/library_text)\.h"')

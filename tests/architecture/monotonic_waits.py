@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer", "kinematics",
+FOLDERS = ("agents", "app", "bench", "cli", "collision", "config", "examples", "feel", "geometry", "haptic", "importer", "kinematics",
            "manipulation", "mannequin", "studies", "tests", "trajectory", "workcell", "xacro")
 # What waits by CLOCK_REALTIME, or is asked to, and what to take instead.
 FORBIDDEN = {

@@ -11,7 +11,7 @@ import re
 import sys
 
 ENGINE = ["geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell",
-          "manipulation", "feel", "studies"]
+          "manipulation", "feel", "studies", "agents"]
 USERS = ["cli", "app", "examples", "tests/cli", "tests/app", "tests/consumer"]
 LIBRARY = re.compile(r"hapticell_add_library\((.*?)\)\n", re.DOTALL)
 HEADERS = re.compile(r"\bHEADERS\s+((?:[\w/]+\.h\s*)+)")

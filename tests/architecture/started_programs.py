@@ -9,7 +9,7 @@ import re
 import sys
 
 FOLDERS = ("geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "importer",
-           "manipulation", "feel", "studies", "cli", "app")
+           "manipulation", "feel", "studies", "agents", "cli", "app")
 # What starts a program through a shell, or looks for it in PATH as PATH happens to be.
 FORBIDDEN = re.compile(r"(?<![\w.>:])(?<!DualSystem )(?:std::|::)?(?:system|popen|execlp|execvp|execvpe|posix_spawnp|wordexp)\s*\("
                        r"|\bQDesktopServices\b|\bstartCommand\s*\(|\bQProcess::execute\b|\bfindExecutable\b"

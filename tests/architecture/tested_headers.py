@@ -11,7 +11,7 @@ import re
 import sys
 
 LIBRARIES = ["geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "manipulation",
-             "feel", "studies", "importer", "cli"]
+             "feel", "studies", "agents", "importer", "cli"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"')
