@@ -51,6 +51,7 @@ struct Clearances::Plan {
     double radius = 0.0;
   };
   std::vector<Ball> balls;  ///< About each part.
+  std::vector<NearPair> touching;  ///< At the start.
   Text note;
 
   int linkOf(std::size_t part) const { return std::max(0, model.parts()[part].link); }
@@ -191,6 +192,7 @@ Expected<Clearances> Clearances::create(std::shared_ptr<const manipulation::Prep
   std::string names;
   for (const NearPair& pair : made.look(start, kStartTouching)) {
     plan->pairs[pair.index].left_out = true;
+    plan->touching.push_back(pair);
     names += (names.empty() ? "" : ", ") + plan->pairs[pair.index].moved + " / " + plan->pairs[pair.index].met;
   }
   if (!names.empty()) plan->note = Text("not checked, because they touch at rest: %1", names);
@@ -264,6 +266,10 @@ double Clearances::safeShare(const EntityConfiguration& to) const {
 
 Text Clearances::wordsOf(const NearPair& pair) const {
   return Text("%1 and %2", plan_->pairs[pair.index].moved, plan_->pairs[pair.index].met);
+}
+
+const std::vector<NearPair>& Clearances::touchingAtStart() const {
+  return plan_->touching;
 }
 
 const Text& Clearances::note() const {

@@ -52,6 +52,8 @@ class Clearances {
 
   /// "link_4 and post 2"
   Text wordsOf(const NearPair& pair) const;
+  /// The pairs that touch at the start.
+  const std::vector<NearPair>& touchingAtStart() const;
   /// What touches at the start and is therefore not checked; empty: nothing.
   const Text& note() const;
 

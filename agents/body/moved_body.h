@@ -70,6 +70,8 @@ class MovedBody {
   virtual std::span<const Screw> screws() const = 0;
   /// Whether a variable moves a link.
   virtual bool carries(std::size_t variable, int link) const = 0;
+  /// Whether a link stays where it is whatever the variables do: a robot's base, a standing figure's feet.
+  virtual bool isFixed(int link) const = 0;
   virtual Room room(std::size_t variable) const = 0;
   /// Greatest speed, rad/s or m/s; 0: not moved by agents.
   virtual double speed(std::size_t variable) const = 0;

@@ -105,6 +105,11 @@ class MovedFigure final : public MovedBody {
     return plan_->carries[variable][mannequin::indexOf(segment)];
   }
   const FigureView* figure() const override { return &view_; }
+  bool isFixed(int link) const override {
+    const Segment segment = plan_->segment_of[static_cast<std::size_t>(std::max(0, link))];
+    return segment == Segment::kLeftFoot || segment == Segment::kLeftToes || segment == Segment::kRightFoot ||
+           segment == Segment::kRightToes;
+  }
 
   Room room(std::size_t variable) const override {
     if (variable < 6) return {};
@@ -119,7 +124,9 @@ class MovedFigure final : public MovedBody {
     const mannequin::BallAxes& ball = axes_.balls[left ? 0 : 1];
     if (variable == first) {
       const double left_rad = (ball.state.rho_max - ball.state.rho) / std::max(0.1, std::abs(ball.cone_rate));
-      return ball.cone_rate >= 0.0 ? Room{{}, left_rad} : Room{left_rad, {}};
+      Room cone;
+      (ball.cone_rate >= 0.0 ? cone.up : cone.down) = left_rad;
+      return cone;
     }
     if (variable == first + 2) {
       return {ball.state.twist - mannequin::kShoulderTwistLower, mannequin::kShoulderTwistUpper - ball.state.twist};

@@ -43,6 +43,12 @@ class MovedRobot final : public MovedBody {
   bool carries(std::size_t variable, int link) const override {
     return plan_->carries[variable][static_cast<std::size_t>(std::max(0, link))];
   }
+  bool isFixed(int link) const override {
+    for (std::size_t v = 0; v < size(); ++v) {
+      if (carries(v, link)) return false;
+    }
+    return true;
+  }
   Room room(std::size_t variable) const override {
     const kinematics::Joint& joint = jointOf(variable);
     return {at_.joints[variable] - joint.lower, joint.upper - at_.joints[variable]};

@@ -27,6 +27,7 @@ class MovedSolid final : public MovedBody {
   int handleLink() const override { return 0; }
   std::span<const Screw> screws() const override { return screws_; }
   bool carries(std::size_t, int) const override { return true; }
+  bool isFixed(int) const override { return false; }
   Room room(std::size_t) const override { return {}; }
   double speed(std::size_t variable) const override { return variable < 3 ? kSolidSpeed : kSolidTurnSpeed; }
   double readiness(std::size_t) const override { return 1.0; }

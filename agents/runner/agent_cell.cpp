@@ -65,6 +65,14 @@ Expected<void> AgentCell::prepare(const config::Configuration& configuration) {
   auto clearances = Clearances::create(scene_, entity_->id, start_->configuration(), configuration);
   HAPTICELL_TRY(clearances);
   clearances_ = std::make_unique<const Clearances>(std::move(*clearances));
+  for (const NearPair& pair : clearances_->touchingAtStart()) {
+    if (start_->isFixed(pair.link)) continue;
+    return makeError({.file = task_.file.string(),
+                      .place = Text("entity '%1'", task_.entity),
+                      .found = Text("%1 are in contact at the start", clearances_->wordsOf(pair)),
+                      .expected = "a start free of contact",
+                      .fix = "Move them apart by a millimetre, or leave the pair out by a rule of the cell."});
+  }
   if (!clearances_->note().empty()) notes_.push_back(clearances_->note());
   return tryAgents();
 }

@@ -123,9 +123,13 @@ void AgentRun::judge() {
 void AgentRun::onDeadlock() {
   ++result_.deadlocks;
   const Text::Length left{loop_.remaining()};
-  const Text nearest = loop_.near().empty() ? Text("nothing is near")
-                                            : Text("nearest: %1, %2", loop_.clearances().wordsOf(loop_.near().front()),
-                                                   Text::Length{loop_.near().front().distance});
+  Text nearest("nothing is near");
+  for (const NearPair& pair : loop_.near()) {
+    // What is near of the cell; its own parts only where nothing of the cell is.
+    if (pair.other_link >= 0 && !nearest.arguments().empty()) continue;
+    nearest = Text("nearest: %1, %2", loop_.clearances().wordsOf(pair), Text::Length{pair.distance});
+    if (pair.other_link < 0) break;
+  }
   const std::string taken_by = loop_.handOverDeadlock();
   if (taken_by.empty()) {
     over_ = true;

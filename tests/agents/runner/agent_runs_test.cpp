@@ -138,6 +138,19 @@ TEST(AgentRuns, ADeadlockIsRecognisedAndHandedOver) {
   EXPECT_GE(led.clearance_m, 0.0025);
 }
 
+TEST(AgentCell, RefusesAStartInContact) {
+  auto task = *AgentTask::parse("cell = \"c\"\nentity = \"box\"\n[goal]\nposition = [0.8, 0.0, 0.0]\n"
+                                "[[agent]]\nwhat = \"goal\"\n",
+                                "/t.toml");
+  auto scene = PreparedScene::prepare({loaded("box:0.1,0.1,0.1", 1, "box"),
+                                       loaded("box:1.0,1.0,0.1", 2, "table", Pose::translation({0.0, 0.0, -0.1}))},
+                                      {}, {});
+  const auto cell = AgentCell::create(std::move(task), scene, {});
+  ASSERT_FALSE(cell);
+  EXPECT_NE(cell.error().message().find("table are in contact at the start"), std::string::npos)
+      << cell.error().message();
+}
+
 TEST(DeadlockWatch, WaitsASecondAtOnePlaceAndFiveWhileItMoves) {
   DeadlockWatch watch;
   double t = 0.0;
