@@ -23,7 +23,7 @@ class DeadlockWatch {
   static constexpr double kPlace = 0.01;
 
   /// At the time `t` (s): the place of the moved frame, and the remaining way (m, with turns at a lever). True once for
-  /// each deadlock; then it waits anew.
+  /// each deadlock; then it begins to wait again.
   bool update(double t, const dvec3& p_WM, double remaining) {
     const bool nearer = remaining < least_ - std::max(kLeastProgress, kLeastShare * least_);
     if (nearer || least_ == std::numeric_limits<double>::infinity()) {

@@ -27,8 +27,9 @@ class ObstacleAgent final : public Agent {
   void wish(const AgentView& view, Wish& wish) override {
     const MovedBody& body = view.body;
     const auto screws = body.screws();
-    std::vector<double> column(body.size());
+    std::vector<double> column(body.size()), sum(body.size(), 0.0);
     const double fade = std::min(1.0, glm::length(view.goal.p_WG - body.handle().p) / kFade);
+    double shares = 0.0;
     for (const NearPair& pair : view.near) {
       if (pair.distance >= within || pair.other_link >= 0) continue;
       double squares = kStiffPoint;
@@ -39,13 +40,17 @@ class ObstacleAgent final : public Agent {
       }
       const double share = 1.0 - pair.distance / within;
       const double away = fade * speed * share * share;
-      wish.v.resize(body.size(), 0.0);
-      for (std::size_t v = 0; v < body.size(); ++v) wish.v[v] += away * column[v] / squares;
+      shares += share;
+      for (std::size_t v = 0; v < body.size(); ++v) sum[v] += share * away * column[v] / squares;
       if (away > glm::length(wish.arrow_W)) {
         wish.p_W = pair.p_WA;
         wish.arrow_W = away * pair.nhat_W;
       }
     }
+    if (shares <= 0.0) return;
+    // The mean, not the sum: a hand with its fingers near a wall is pushed no harder than a fist.
+    wish.v = std::move(sum);
+    for (double& v : wish.v) v /= shares;
   }
 };
 

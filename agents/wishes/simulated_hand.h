@@ -13,8 +13,8 @@ namespace hapticell::agents {
 ///
 /// It sees the cell and where the moved frame is, but not how near the rest of the entity comes to anything. Twice a
 /// second it looks whether a ball goes straight to the goal; if not, it chooses the shortest way over one point beside
-/// it, as it judges lengths (wrong by up to 15 %). It points a few degrees off, and its hand drifts. When it is told
-/// that nothing moves, it draws back for a moment and chooses another way. A seed decides all its mistakes.
+/// it, as it judges lengths (wrong by up to 15 %). It points a few degrees off, and its hand drifts. When
+/// nothing moves, it draws back for a moment and chooses another way. A seed decides all its mistakes.
 class SimulatedHand {
  public:
   explicit SimulatedHand(std::uint64_t seed) : random_(seed) {}
@@ -25,7 +25,7 @@ class SimulatedHand {
 
   /// The motion that it wants of the moved frame now.
   Twist velocity(const AgentView& view);
-  /// Nothing moves: it chooses anew.
+  /// Nothing moves: it chooses another way.
   void drawBack(const AgentView& view);
 
  private:

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "agents/runner/agent_loop.h"
 #include "agents/runner/agent_run.h"
 #include "agents/runner/deadlock_watch.h"
@@ -80,6 +82,16 @@ TEST(AgentRuns, AMannequinReachesTheBottleInTheTrunkAndSeesIt) {
   ASSERT_TRUE(found) << found.error().message();
   for (const auto& finding : found->findings) EXPECT_NE(finding.kind, manipulation::PathFinding::Kind::kCollision);
   EXPECT_GT(found->least_clearance, 0.0);
+  // The same motion through a cell with a ball where the hand arrives: the check sees it, as it sees the whole body move.
+  std::vector<workcell::Entity> entities = cell->scene()->entities();
+  const dvec3 p_WHand = cell->task().goal.p_WG;
+  entities.push_back(loaded("sphere:0.06", 900, "ball", Pose::translation(p_WHand)));
+  const auto other = manipulation::checkPath(PreparedScene::prepare(std::move(entities), {}, {}), "worker", run.motion,
+                                             check, {});
+  ASSERT_TRUE(other) << other.error().message();
+  EXPECT_TRUE(std::any_of(other->findings.begin(), other->findings.end(), [](const auto& finding) {
+    return finding.kind == manipulation::PathFinding::Kind::kCollision && finding.second == "ball";
+  }));
 }
 
 TEST(AgentRuns, TheSameSeedGivesTheSameBitsOnAnyNumberOfThreads) {
