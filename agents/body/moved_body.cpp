@@ -15,18 +15,18 @@ Expected<std::unique_ptr<MovedBody>> MovedBody::create(const workcell::Entity& e
   const auto wrong_way = [&](Text expected) {
     return makeError(refusal(entity, Text("moved_by = \"%1\"", moved_by), std::move(expected)));
   };
-  if (entity.locked) return makeError(refusal(entity, "it is locked", "an entity that can be moved"));
+  if (entity.locked) return makeError(refusal(entity, Text("it is locked"), Text("an entity that can be moved")));
   if (entity.figure()) {
     if (moved_by == "left_hand") return makeMovedFigure(entity, mannequin::Side::kLeft);
     if (moved_by.empty() || moved_by == "right_hand") return makeMovedFigure(entity, mannequin::Side::kRight);
-    return wrong_way("left_hand or right_hand");
+    return wrong_way(Text("left_hand or right_hand"));
   }
   if (entity.robot()) {
-    if (!moved_by.empty() && moved_by != "tcp") return wrong_way("tcp");
+    if (!moved_by.empty() && moved_by != "tcp") return wrong_way(std::string("tcp"));
     return makeMovedRobot(entity);
   }
-  if (!entity.mesh()) return makeError(refusal(entity, "it has no shape", "a solid, a robot or a mannequin"));
-  if (!moved_by.empty() && moved_by != "geometric_center") return wrong_way("geometric_center");
+  if (!entity.mesh()) return makeError(refusal(entity, Text("it has no shape"), Text("a solid, a robot or a mannequin")));
+  if (!moved_by.empty() && moved_by != "geometric_center") return wrong_way(std::string("geometric_center"));
   return makeMovedSolid(entity);
 }
 

@@ -91,10 +91,10 @@ Expected<std::unique_ptr<MovedBody>> makeMovedRobot(const workcell::Entity& enti
   };
   auto plan = std::make_shared<RobotPlan>();
   plan->model = entity.robot();
-  if (plan->model->closure) return refused("a robot with closed loops", "one whose joints are a chain or a tree");
+  if (plan->model->closure) return refused(Text("a robot with closed loops"), Text("one whose joints are a chain or a tree"));
   plan->tip = plan->model->findLink(entity.jointed().tip_link);
   if (plan->tip < 0) plan->tip = plan->model->defaultTip();
-  if (plan->tip < 0 || plan->model->dof() == 0) return refused("it has no moving link", "a robot with joints");
+  if (plan->tip < 0 || plan->model->dof() == 0) return refused(Text("it has no moving link"), Text("a robot with joints"));
   plan->X_LT = entity.jointed().X_LT;
   plan->carries.assign(plan->model->dof(), std::vector<bool>(plan->model->links.size(), false));
   for (std::size_t link = 0; link < plan->model->links.size(); ++link) {

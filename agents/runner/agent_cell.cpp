@@ -53,10 +53,10 @@ Expected<void> AgentCell::prepare(const config::Configuration& configuration) {
                       .expected = "an entity of the cell"});
   };
   entity_ = scene_->find(task_.entity);
-  if (entity_ == nullptr) return lacking("entity", task_.entity);
+  if (entity_ == nullptr) return lacking(std::string("entity"), task_.entity);
   if (!task_.goal.look_at.empty()) {
     const workcell::Entity* seen = scene_->find(task_.goal.look_at);
-    if (seen == nullptr) return lacking("look_at", task_.goal.look_at);
+    if (seen == nullptr) return lacking(std::string("look_at"), task_.goal.look_at);
     look_at_ = seen->id;
   }
   auto body = MovedBody::create(*entity_, task_.moved_by);

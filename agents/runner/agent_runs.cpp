@@ -95,7 +95,7 @@ Expected<void> checkWeights(const AgentTask& task, const RunOptions& options) {
                         .found = std::to_string(weight),
                         .expected = "a number from 0 to 100"});
     const std::string names = listed(task.agents, [](const AgentSection& one) { return one.kind; });
-    return makeError({.place = "weights",
+    return makeError({.place = std::string("weights"),
                       .found = Text("the task has no agent '%1'", name),
                       .expected = Text("one of %1", names)});
   }

@@ -10,7 +10,7 @@ namespace hapticell::agents {
 inline Expected<void> needFigure(const AgentMaking& making) {
   if (making.body.figure() != nullptr) return {};
   return makeError(making.section.fault(Text("the entity '%1' is no mannequin", making.task.entity),
-                                        "a mannequin", "Remove this agent from the task."));
+                                        Text("a mannequin"), Text("Remove this agent from the task.")));
 }
 
 /// One number a variable, by the region of the body: place and turn of the pelvis, spine, arms, neck.

@@ -89,7 +89,7 @@ class SightAgent final : public Agent {
 MadeAgent makeSightAgent(const AgentMaking& making) {
   HAPTICELL_TRY(needFigure(making));
   if (making.look_at == 0)
-    return makeError(making.section.fault("the goal says nothing to look at", "look_at = \"NAME\" in [goal]"));
+    return makeError(making.section.fault(Text("the goal says nothing to look at"), Text("look_at = \"NAME\" in [goal]")));
   auto agent = std::make_unique<SightAgent>(making.obstacles, making.look_at);
   SectionReader reader(making.section);
   reader.fields().read("speed", agent->speed, 1.0, 0.01, 1.0);

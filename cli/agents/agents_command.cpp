@@ -39,7 +39,7 @@ Expected<std::vector<RunMode>> modesOf(const AgentsOptions& options) {
       modes.push_back(mode);
       known = true;
     }
-    if (!known) return makeError({.place = "--modes", .found = word, .expected = "operator, agents or both"});
+    if (!known) return makeError({.place = std::string("--modes"), .found = word, .expected = "operator, agents or both"});
   }
   return modes;
 }
@@ -58,7 +58,7 @@ Expected<agents::RunOptions> runOptionsOf(const AgentsOptions& options) {
       read = 0;
     }
     if (read == 0 || read != number.size() || !(weight >= 0.0 && weight <= 100.0))
-      return makeError({.place = "--weights", .found = word, .expected = "NAME=NUMBER, from 0 (off) to 100"});
+      return makeError({.place = std::string("--weights"), .found = word, .expected = "NAME=NUMBER, from 0 (off) to 100"});
     run.weights[word.substr(0, equals)] = weight;
   }
   return run;
