@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cli/access/access_commands.h"
+#include "cli/agents/agents_command.h"
 #include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
@@ -59,6 +60,7 @@ CommandLine::CommandLine() {
   Action& chosen = chosen_;
   // One line a command; each comes with the file that defines it.
   addAccessCommand(words, chosen);
+  addAgentsCommand(words, chosen);
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
   addDistanceCommand(words, chosen);

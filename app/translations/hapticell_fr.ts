@@ -247,6 +247,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 et %2 de plus : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
     </message>
     <message>
+        <source>%1 are in contact at the start</source>
+        <translation>%1 sont en contact au départ</translation>
+    </message>
+    <message>
         <source>%1 as in the workcell</source>
         <translation>%1 comme dans la cellule</translation>
     </message>
@@ -6447,6 +6451,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le poste de travail</translation>
     </message>
     <message>
+        <source>Move them apart by a millimetre, or leave the pair out by a rule of the cell.</source>
+        <translation>Écartez-les d'un millimètre, ou excluez la paire par une règle de la cellule.</translation>
+    </message>
+    <message>
         <source>Move to a new folder</source>
         <translation>Mettre dans un nouveau dossier</translation>
     </message>
@@ -6529,6 +6537,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>NAME:=VALUE</source>
         <translation>NAME:=VALUE</translation>
+    </message>
+    <message>
+        <source>NAME=NUMBER, from 0 (off) to 100</source>
+        <translation>NOM=NOMBRE, de 0 (arrêté) à 100</translation>
     </message>
     <message>
         <source>NIOSH does not apply: %1</source>
@@ -8285,6 +8297,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Remove the write protection, or choose another name.</source>
         <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Remove this agent from the task.</source>
+        <translation>Retirez cet agent de la tâche.</translation>
     </message>
     <message>
         <source>Remove this frame</source>
@@ -10223,6 +10239,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cet exercice a été pratiqué. Choisissez ici Rétention, ou testez le transfert sur un autre.</translation>
     </message>
     <message>
+        <source>This is a bug of the agents. Please report it.</source>
+        <translation>C'est une erreur des agents. Merci de la signaler.</translation>
+    </message>
+    <message>
         <source>This is a bug. Please report it.</source>
         <translation>Signalez cette erreur du programme, s'il vous plaît.</translation>
     </message>
@@ -12063,6 +12083,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>moins que les %1 sommets du fichier</translation>
     </message>
     <message>
+        <source>a number from 0 to 100</source>
+        <translation>un nombre de 0 à 100</translation>
+    </message>
+    <message>
         <source>a number of a row, below %1</source>
         <translation>un numéro de ligne, inférieur à %1</translation>
     </message>
@@ -12363,6 +12387,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot avec un segment mobile</translation>
     </message>
     <message>
+        <source>a robot with closed loops</source>
+        <translation>un robot à boucles fermées</translation>
+    </message>
+    <message>
+        <source>a robot with joints</source>
+        <translation>un robot avec des articulations</translation>
+    </message>
+    <message>
         <source>a robot with named tools</source>
         <translation>un robot avec des outils nommés</translation>
     </message>
@@ -12413,6 +12445,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a second ROOT '%1'</source>
         <translation>un second ROOT '%1'</translation>
+    </message>
+    <message>
+        <source>a second agent '%1'</source>
+        <translation>un second agent « %1 »</translation>
     </message>
     <message>
         <source>a second document</source>
@@ -12519,6 +12555,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un solide</translation>
     </message>
     <message>
+        <source>a solid, a robot or a mannequin</source>
+        <translation>un solide, un robot ou un mannequin</translation>
+    </message>
+    <message>
         <source>a speed above 0 and a friction of 0 or more</source>
         <translation>une vitesse supérieure à 0, un frottement au moins égal à 0</translation>
     </message>
@@ -12529,6 +12569,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a spline; it is read as straight lines between its points.</source>
         <translation>une spline ; elle est lue comme des droites entre ses points.</translation>
+    </message>
+    <message>
+        <source>a start free of contact</source>
+        <translation>un départ sans contact</translation>
     </message>
     <message>
         <source>a start or end speed that the limits do not allow</source>
@@ -12633,6 +12677,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a target without all its coordinates</source>
         <translation>une cible sans toutes ses coordonnées</translation>
+    </message>
+    <message>
+        <source>a task for agents</source>
+        <translation>une tâche pour agents</translation>
     </message>
     <message>
         <source>a text</source>
@@ -13487,6 +13535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un solide ou une surface</translation>
     </message>
     <message>
+        <source>at least one table [[agent]]</source>
+        <translation>au moins une table [[agent]]</translation>
+    </message>
+    <message>
         <source>at least one table [[objective]]</source>
         <translation>au moins une table [[objective]]</translation>
     </message>
@@ -13977,6 +14029,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>dwell</source>
         <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>each agent once</source>
+        <translation>chaque agent une seule fois</translation>
     </message>
     <message>
         <source>each bone of :bonedata once</source>
@@ -14643,8 +14699,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun modèle dans le fichier</translation>
     </message>
     <message>
+        <source>it has no moving link</source>
+        <translation>il n'a pas de segment mobile</translation>
+    </message>
+    <message>
         <source>it has no part '%1'</source>
         <translation>aucune pièce '%1' dans le fichier</translation>
+    </message>
+    <message>
+        <source>it has no shape</source>
+        <translation>elle n'a pas de forme</translation>
     </message>
     <message>
         <source>it has no trunk to lock</source>
@@ -14975,6 +15039,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>left, right ou both</translation>
     </message>
     <message>
+        <source>left_hand or right_hand</source>
+        <translation>left_hand ou right_hand</translation>
+    </message>
+    <message>
         <source>legs of length zero</source>
         <translation>des jambes de longueur nulle</translation>
     </message>
@@ -15029,6 +15097,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>line %1, %2</source>
         <translation>ligne %1, %2</translation>
+    </message>
+    <message>
+        <source>line %1, agent '%2'</source>
+        <translation>ligne %1, agent « %2 »</translation>
     </message>
     <message>
         <source>line %1, column %2</source>
@@ -15109,6 +15181,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>log() of %1</source>
         <translation>log() appliqué à %1</translation>
+    </message>
+    <message>
+        <source>look_at = &quot;NAME&quot; in [goal]</source>
+        <translation>look_at = &quot;NOM&quot; dans [goal]</translation>
     </message>
     <message>
         <source>loops and branches instead of jumps</source>
@@ -15383,6 +15459,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>déplacée de %1 m, %2 rad</translation>
     </message>
     <message>
+        <source>moved_by = &quot;%1&quot;</source>
+        <translation>moved_by = &quot;%1&quot;</translation>
+    </message>
+    <message>
         <source>moves that depend on %1</source>
         <translation>des mouvements qui dépendent de %1</translation>
     </message>
@@ -15439,6 +15519,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>quasi-collision</translation>
     </message>
     <message>
+        <source>nearest: %1, %2</source>
+        <translation>le plus proche : %1, %2</translation>
+    </message>
+    <message>
         <source>neither is given</source>
         <translation>aucun des deux n'est donné</translation>
     </message>
@@ -15469,6 +15553,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no XML element</source>
         <translation>pas d'élément XML</translation>
+    </message>
+    <message>
+        <source>no agents</source>
+        <translation>aucun agent</translation>
     </message>
     <message>
         <source>no answer</source>
@@ -15717,6 +15805,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no points</source>
         <translation>pas de points</translation>
+    </message>
+    <message>
+        <source>no progress, %1 from the goal (%2); handed to the %3</source>
+        <translation>aucun progrès, à %1 du but (%2) ; remis à %3</translation>
+    </message>
+    <message>
+        <source>no progress, %1 from the goal (%2); lead it by hand from here, or plan a path</source>
+        <translation>aucun progrès, à %1 du but (%2) ; guidez à la main à partir d'ici, ou planifiez un trajet</translation>
     </message>
     <message>
         <source>no result is called '%1'</source>
@@ -15995,12 +16091,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>inconnu de ce lecteur</translation>
     </message>
     <message>
+        <source>not there after %1 s, %2 from the goal</source>
+        <translation>pas arrivé après %1 s, à %2 du but</translation>
+    </message>
+    <message>
         <source>not two numbers</source>
         <translation>pas deux nombres</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
+    </message>
+    <message>
+        <source>nothing is near</source>
+        <translation>rien n'est proche</translation>
     </message>
     <message>
         <source>nothing that is moved</source>
@@ -16175,6 +16279,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une, une autre, …</translation>
     </message>
     <message>
+        <source>one whose joints are a chain or a tree</source>
+        <translation>un robot dont les articulations forment une chaîne ou un arbre</translation>
+    </message>
+    <message>
         <source>only files in %1</source>
         <translation>seulement des fichiers dans %1</translation>
     </message>
@@ -16197,6 +16305,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>operator '%1', which is not supported</source>
         <translation>un opérateur '%1' qui n'est pas compris</translation>
+    </message>
+    <message>
+        <source>operator, agents or both</source>
+        <translation>operator, agents ou both</translation>
     </message>
     <message>
         <source>origin</source>
@@ -16843,6 +16955,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>stop, slide ou pass</translation>
     </message>
     <message>
+        <source>stopped before all runs were made; there is no result</source>
+        <translation>arrêté avant la fin des essais ; il n'y a pas de résultat</translation>
+    </message>
+    <message>
         <source>stopped before all variants were evaluated; the rows so far are kept</source>
         <translation>arrêt avant l'évaluation de toutes les variantes ; les lignes déjà produites sont gardées</translation>
     </message>
@@ -17171,6 +17287,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
     </message>
     <message>
+        <source>the entity '%1' is no mannequin</source>
+        <translation>l'entité « %1 » n'est pas un mannequin</translation>
+    </message>
+    <message>
         <source>the entity cannot be moved in this way</source>
         <translation>elle ne peut pas être déplacée ainsi</translation>
     </message>
@@ -17473,6 +17593,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the goal of '%1'</source>
         <translation>le but de « %1 »</translation>
+    </message>
+    <message>
+        <source>the goal says nothing to look at</source>
+        <translation>le but ne dit pas quoi regarder</translation>
     </message>
     <message>
         <source>the guide's name</source>
@@ -18087,6 +18211,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'étiquette %1</translation>
     </message>
     <message>
+        <source>the task has no agent '%1'</source>
+        <translation>la tâche n'a pas d'agent « %1 »</translation>
+    </message>
+    <message>
         <source>the task's name</source>
         <translation>le nom de la tâche</translation>
     </message>
@@ -18565,6 +18693,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
+    </message>
+    <message>
+        <source>weight of '%1'</source>
+        <translation>poids de « %1 »</translation>
     </message>
     <message>
         <source>well-formed XML</source>

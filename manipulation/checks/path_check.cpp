@@ -253,6 +253,12 @@ Expected<void> checkArguments(const Entity* entity, const std::string& name, con
   return {};
 }
 
+/// A mannequin's motion as a whole: each frame has its place and all its joints.
+bool movesWhole(const Entity& entity, const MovedBy& moved_by, const Trajectory& trajectory) {
+  return entity.figure() != nullptr && trajectory.has_poses &&
+         (std::holds_alternative<by::Whole>(moved_by) || std::holds_alternative<by::Default>(moved_by));
+}
+
 /// The joints of an external axis that moves meanwhile, among those of the whole.
 struct AxisTrack {
   std::shared_ptr<const Trajectory> motion;
@@ -282,8 +288,10 @@ Expected<std::vector<AxisTrack>> axisTracks(const PreparedScene& scene, const He
 /// Walks through the frames and lets each kind of check look at every step.
 class PathWalk {
  public:
-  PathWalk(const Entity& entity, const HeldEntity& held, std::vector<AxisTrack> axes, const PathCheckOptions& options)
+  PathWalk(const Entity& entity, const HeldEntity& held, std::vector<AxisTrack> axes, const PathCheckOptions& options,
+           bool moves_whole)
       : options_(options),
+        moves_whole_(moves_whole),
         manipulator_(held.manipulator()),
         axes_(std::move(axes)),
         first_own_(held.accepted().joints.size() - held.standing().joints.size()),
@@ -317,7 +325,9 @@ class PathWalk {
   EntityConfiguration configurationAt(const Trajectory& trajectory, const std::vector<std::size_t>& columns,
                                       std::size_t i) const {
     if (columns.empty()) return manipulator_.propose(before_, trajectory[i].X_WT, kinematics::kUnboundedDuration);
-    EntityConfiguration at = before_;
+    // What moves as a whole while its joints move: the frame says where it is, the joints how it stands.
+    EntityConfiguration at =
+        moves_whole_ ? manipulator_.propose(before_, trajectory[i].X_WT, kinematics::kUnboundedDuration) : before_;
     for (std::size_t j = 0; j < columns.size(); ++j) at.joints[first_own_ + columns[j]] = trajectory.joints(i)[j];
     for (const AxisTrack& axis : axes_) {
       const std::vector<double> joints = axis.motion->jointsAt(trajectory[i].t);
@@ -350,6 +360,7 @@ class PathWalk {
   }
 
   const PathCheckOptions& options_;
+  const bool moves_whole_;
   const Manipulator& manipulator_;
   const std::vector<AxisTrack> axes_;
   const std::size_t first_own_;
@@ -379,11 +390,12 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
   HoldOptions hold = options.hold;
   // A motion tells the robot's own joints; what it stands on moves only where a motion of that is there too.
   if (by::Tool* tool = toolOf(hold.moved_by)) tool->with_axes = !options.axes.empty() && !columns->empty();
+  hold.joints_move = movesWhole(*entity, hold.moved_by, trajectory) && !columns->empty();
   const auto held = HeldEntity::take(scene, entity->id, {}, hold, configuration);
   HAPTICELL_TRY(held);
   auto axes = axisTracks(*scene, **held, options);
   HAPTICELL_TRY(axes);
-  return PathWalk(*entity, **held, std::move(*axes), options).run(trajectory, *columns);
+  return PathWalk(*entity, **held, std::move(*axes), options, hold.joints_move).run(trajectory, *columns);
 }
 
 }  // namespace hapticell::manipulation
