@@ -427,6 +427,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 images, comme le fichier l'indique</translation>
     </message>
     <message>
+        <source>%1 gaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 gives %2.</source>
         <translation>%1 donne %2.</translation>
     </message>
@@ -731,6 +735,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 maillages cités sont introuvables et ont été omis : %2</translation>
     </message>
     <message>
+        <source>%1 messages in %2 chunks, as the file has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -753,6 +761,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 more lines have similar messages.</source>
         <translation>Et %1 autres lignes de ce genre.</translation>
+    </message>
+    <message>
+        <source>%1 motions, or one without frames</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
@@ -1007,8 +1019,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
     </message>
     <message>
+        <source>%1 things at the top of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 things that vary</source>
         <translation>%1 choses qui varient</translation>
+    </message>
+    <message>
+        <source>%1 times, %2 poses, %3 joint names</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 times, last %2</source>
@@ -1347,6 +1367,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, de %2</translation>
     </message>
     <message>
+        <source>%1, one for each joint that moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1, one for each joint that moves the tip, base first</source>
         <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
     </message>
@@ -1447,6 +1471,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2 marqueurs, %3 s à %4 Hz</translation>
     </message>
     <message>
+        <source>%1: %2 messages of other joints are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 messages whose time does not rise are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: %2 on %3</source>
         <translation>%1 : %2 sur %3</translation>
     </message>
@@ -1541,6 +1573,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: of %2 models, only '%3' is read, because it has moving joints</source>
         <translation>%1 : sur %2 modèles, seul '%3' est lu, car il a des axes mobiles</translation>
+    </message>
+    <message>
+        <source>%1: one a variable of '%2'</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1: one lies inside the other</source>
@@ -2159,8 +2195,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>--record manque</translation>
     </message>
     <message>
-        <source>--record together with this option</source>
-        <translation>--record avec cette option</translation>
+        <source>--record or --mcap together with this option</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--record-interval, --record-distance</source>
@@ -2189,6 +2225,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--set forces</source>
         <translation>--set forces</translation>
+    </message>
+    <message>
+        <source>--set plan_goal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--set plan_goal=... with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--set plan_hints</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--set safety_distance</source>
@@ -2299,6 +2347,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>.htraj ou .csv</translation>
     </message>
     <message>
+        <source>.htraj, .csv or .mcap for a motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2371,6 +2423,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>de 0 à 10 mètres</translation>
     </message>
     <message>
+        <source>0 to 232</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>0 to 6</source>
         <translation>0 à 6</translation>
     </message>
@@ -2419,6 +2475,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 à %1</translation>
     </message>
     <message>
+        <source>1 to 1000 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 1000 motions with frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>1 to 10000 per second</source>
         <translation>1 à 10000 par seconde</translation>
     </message>
@@ -2429,6 +2493,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>1 to 60 letters, digits, '_' and '-'</source>
         <translation>1 à 60 lettres, chiffres, « _ » et « - »</translation>
+    </message>
+    <message>
+        <source>1 to 65535</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>1, 2, …</source>
@@ -2461,6 +2529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>3 joints, or 4 if the tool turns</source>
         <translation>3, ou 4 avec la rotation de l'outil</translation>
+    </message>
+    <message>
+        <source>3 to 100 000</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>3, 5, ... points for arcs</source>
@@ -2695,12 +2767,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un rapport du plantage a été enregistré sur cet ordinateur</translation>
     </message>
     <message>
-        <source>A study names the file of its workcell, and this one has none yet.</source>
-        <translation>Une étude nomme le fichier de sa cellule, et celle-ci n'en a pas encore.</translation>
-    </message>
-    <message>
         <source>A shorter order may exist: this one was not proven to be the shortest.</source>
         <translation>Un ordre plus court existe peut-être : il n'est pas prouvé que celui-ci soit le plus court.</translation>
+    </message>
+    <message>
+        <source>A study names the file of its workcell, and this one has none yet.</source>
+        <translation>Une étude nomme le fichier de sa cellule, et celle-ci n'en a pas encore.</translation>
     </message>
     <message>
         <source>A trajectory is not saved</source>
@@ -3125,6 +3197,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Attached to %1 of %2</source>
         <translation>Attaché à %1 de %2</translation>
+    </message>
+    <message>
+        <source>Authority of a planner beside the hand</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Avoid collisions</source>
@@ -3661,6 +3737,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clearance</source>
         <translation>Distance libre</translation>
+    </message>
+    <message>
+        <source>Clearance of its way</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clearance, nearest pair</source>
@@ -5679,6 +5759,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réinstallez HaptiCell.</translation>
     </message>
     <message>
+        <source>Install HaptiCell with its link to ROS 2 (Debian: cyclonedds-dev, when building).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Install Slurm (Debian: slurm-client), or run the chunks by GNU Parallel.</source>
         <translation>Installez Slurm (Debian : slurm-client), ou lancez les morceaux avec GNU Parallel.</translation>
     </message>
@@ -5801,6 +5885,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
         <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
+    </message>
+    <message>
+        <source>JointTrajectory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JointTrajectory, point %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Joints</source>
@@ -8035,6 +8127,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ROS 2 JointTrajectory (.yaml)</translation>
     </message>
     <message>
+        <source>ROS_DOMAIN_ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>RULA</source>
         <translation>RULA</translation>
     </message>
@@ -9619,6 +9715,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule a été modifiée ou enregistrée : l'essai est annulé. La pièce est revenue à sa place.</translation>
     </message>
     <message>
+        <source>The connection was lost before the end; what was received is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
         <translation>Le périphérique est au bord de son espace. Tenez Espace et ramenez la main</translation>
     </message>
@@ -10823,12 +10923,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avertissement</translation>
     </message>
     <message>
-        <source>Weight</source>
-        <translation>Poids</translation>
-    </message>
-    <message>
         <source>Way</source>
         <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
     </message>
     <message>
         <source>Weight limit</source>
@@ -10847,16 +10947,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version.</translation>
     </message>
     <message>
+        <source>What blocks it as the cell stands</source>
+        <translation>Ce qui le bloque dans la cellule telle quelle</translation>
+    </message>
+    <message>
         <source>What is asked</source>
         <translation>Ce qui est demandé</translation>
     </message>
     <message>
         <source>What must hold</source>
         <translation>Ce qui est exigé</translation>
-    </message>
-    <message>
-        <source>What blocks it as the cell stands</source>
-        <translation>Ce qui le bloque dans la cellule telle quelle</translation>
     </message>
     <message>
         <source>What the 3D mouse moves; its second button changes it</source>
@@ -11335,6 +11435,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
+        <source>a channel of schema %1, which is not declared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a chunk of %1 MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a clearance that is not valid</source>
         <translation>une distance de passage non valable</translation>
     </message>
@@ -11389,6 +11497,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a damaged archive</source>
         <translation>une archive endommagée</translation>
+    </message>
+    <message>
+        <source>a damaged chunk</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a data URI without data</source>
@@ -11911,6 +12023,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une macro du nom de '%1'</translation>
     </message>
     <message>
+        <source>a malformed record of kind %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a mannequin</source>
         <translation>un mannequin</translation>
     </message>
@@ -11929,6 +12045,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a marker's name, or a list of names</source>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
+    </message>
+    <message>
+        <source>a matrix that is not a rigid pose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a mechanism</source>
@@ -11965,6 +12085,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a mesh without volume</source>
         <translation>un maillage sans volume</translation>
+    </message>
+    <message>
+        <source>a message of channel %1, which is not declared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a message of the topic's type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a message that does not fit its type</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a message with content</source>
@@ -12009,6 +12141,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a name</source>
         <translation>un nom</translation>
+    </message>
+    <message>
+        <source>a name of Posture.joint_names()</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a name of its own</source>
@@ -12099,6 +12235,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
+        <source>a number that add() returned, not removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a number that is negative or not finite</source>
         <translation>un nombre non fini ou négatif</translation>
     </message>
@@ -12133,6 +12273,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a number; the equation needs all fields</source>
         <translation>un nombre ; l'équation a besoin de tous les champs</translation>
+    </message>
+    <message>
+        <source>a pair of check()</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a pairing code</source>
@@ -12327,6 +12471,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier CSV lisible</translation>
     </message>
     <message>
+        <source>a record of kind %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a recorded device session (*.hdev)</source>
         <translation>une session de périphérique enregistrée (*.hdev)</translation>
     </message>
@@ -12353,6 +12501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a region that is not valid</source>
         <translation>une région non valable</translation>
+    </message>
+    <message>
+        <source>a result</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a result of comb() or perm() beyond 64 bits</source>
@@ -12421,6 +12573,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot.toml</source>
         <translation>un robot.toml</translation>
+    </message>
+    <message>
+        <source>a rotation and a translation, with 0, 0, 0, 1 in the last row</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a saved simulation state; the models are placed as described</source>
@@ -12583,6 +12739,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un départ non valable</translation>
     </message>
     <message>
+        <source>a state of the server</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a step above 0 that gives at most 10 million frames</source>
         <translation>un pas supérieur à 0 qui donne au plus 10 millions d'images</translation>
     </message>
@@ -12609,6 +12769,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a study without objectives</source>
         <translation>une étude sans objectifs</translation>
+    </message>
+    <message>
+        <source>a summary at byte %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a summary of %1 messages in %2 chunks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a table</source>
@@ -12711,6 +12879,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte, un nombre ou une liste</translation>
     </message>
     <message>
+        <source>a thinner tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a time after that of the line before, %1 s</source>
         <translation>un temps après celui de la ligne précédente, %1 s</translation>
     </message>
@@ -12731,12 +12903,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>un temps de 0 s ou plus</translation>
     </message>
     <message>
+        <source>a time of more than 30 years</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time that decreases, or a button out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
     </message>
     <message>
+        <source>a time that is not after the one before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a time that is not after the time before</source>
         <translation>un instant qui n'est pas postérieur au précédent</translation>
+    </message>
+    <message>
+        <source>a time within the nanosecond of the frame before</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a time without a frame</source>
@@ -13075,6 +13263,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un arc sans points connus</translation>
     </message>
     <message>
+        <source>an array of shape (n, %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of shape (n, 7) with x, y, z, qw, qx, qy, qz, or (n, 4, 4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>an assembly inside itself</source>
         <translation>un assemblage à l'intérieur de lui-même</translation>
     </message>
@@ -13137,6 +13333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an empty picture</source>
         <translation>une image vide</translation>
+    </message>
+    <message>
+        <source>an empty recording</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>an endless loop</source>
@@ -13225,6 +13425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an index</source>
         <translation>un indice</translation>
+    </message>
+    <message>
+        <source>an index entry for byte %1, where no such record is</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>an index into %1</source>
@@ -13327,6 +13531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une chaîne ouverte d'axes</translation>
     </message>
     <message>
+        <source>an open connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>an option that --help lists</source>
         <translation>l'une de celles que --help énumère</translation>
     </message>
@@ -13367,6 +13575,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type d'axe inconnu</translation>
     </message>
     <message>
+        <source>an unknown property</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>an unknown user</source>
         <translation>un utilisateur inconnu</translation>
     </message>
@@ -13393,6 +13605,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>animation; all parts are shown at rest</source>
         <translation>du mouvement ; tout est affiché au repos</translation>
+    </message>
+    <message>
+        <source>another array</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another assembly</source>
@@ -13455,8 +13671,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>des bras, des jambes et un tronc de longueur non nulle</translation>
     </message>
     <message>
+        <source>arrays of other shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>as in the controller</source>
         <translation>celui de la commande</translation>
+    </message>
+    <message>
+        <source>as many poses as times, and joints of shape (times, joint names)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>as many values as the others</source>
@@ -13593,6 +13817,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>at most %1 m and %2 rad</source>
         <translation>au plus %1 m, %2 rad</translation>
+    </message>
+    <message>
+        <source>at most %1, and gradients of shape (n, 6)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most %1, the limit of an INFORM job</source>
@@ -13771,6 +13999,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>à la fois library et values</translation>
     </message>
     <message>
+        <source>both percentile and stature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>box:, table:, fence: or another built-in part</source>
         <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
     </message>
@@ -13827,6 +14059,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des changements du modèle inclus</translation>
     </message>
     <message>
+        <source>channel %1 twice, with different content</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>channels of the joints</source>
         <translation>des canaux des articulations</translation>
     </message>
@@ -13863,12 +14099,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>distance</translation>
     </message>
     <message>
+        <source>client</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>closed</source>
         <translation>fermé</translation>
     </message>
     <message>
         <source>collecting</source>
         <translation>collecte des pièces</translation>
+    </message>
+    <message>
+        <source>color, visible, locked, checked, on_contact, force_class, material, mass or parent</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>columns x, y, z</source>
@@ -13895,12 +14139,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>des composants sans cycle</translation>
     </message>
     <message>
+        <source>compressed records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>consecutive frame numbers</source>
         <translation>des images qui se suivent</translation>
     </message>
     <message>
         <source>constant, contact or dynamics</source>
         <translation>constant, contact ou dynamics</translation>
+    </message>
+    <message>
+        <source>constraints</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>contact</source>
@@ -14271,6 +14523,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>fine</translation>
     </message>
     <message>
+        <source>finite metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>finite numbers</source>
         <translation>des nombres finis</translation>
     </message>
@@ -14291,12 +14547,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis d'une grandeur vraisemblable</translation>
     </message>
     <message>
+        <source>finite numbers of shape (n, %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>finite numbers separated by commas</source>
         <translation>des nombres finis séparés par des virgules</translation>
     </message>
     <message>
         <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above 0, and no negative stiffness, damping or friction</source>
         <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
+    </message>
+    <message>
+        <source>finite numbers x, y, z, qw, qx, qy, qz with a unit quaternion</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>finite numbers, 0 or more</source>
@@ -14333,6 +14597,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>force</source>
         <translation>effort</translation>
+    </message>
+    <message>
+        <source>force_class</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force_x, force_y, force_z, contact or configuration</source>
@@ -14387,8 +14655,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>images</translation>
     </message>
     <message>
+        <source>frames at least a nanosecond apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
+    </message>
+    <message>
+        <source>frames, samples or scores</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>frames: %1</source>
@@ -14439,8 +14715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>good, fair ou poor</translation>
     </message>
     <message>
+        <source>good, fair, poor or unacceptable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>grid</source>
         <translation>grille</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>guide %1</source>
@@ -14459,6 +14743,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>h</translation>
     </message>
     <message>
+        <source>hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hand, row %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>hand:left or hand:right, and :SEX:PERCENTILE</source>
         <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
     </message>
@@ -14469,6 +14761,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hapticell-haptic-server --help lists the options.</source>
         <translation>Lancez hapticell-haptic-server --help pour la liste des options.</translation>
+    </message>
+    <message>
+        <source>hapticell-ros2 gave no result</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>head</source>
@@ -14559,6 +14855,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des temps croissants, en s</translation>
     </message>
     <message>
+        <source>indices from 0 to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>int(&quot;%1&quot;)</source>
         <translation>int(&quot;%1&quot;)</translation>
     </message>
@@ -14619,6 +14919,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>il appartient à l'utilisateur %1</translation>
     </message>
     <message>
+        <source>it beside hapticell-cli</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it cannot be loaded</source>
         <translation>il ne peut pas être chargé</translation>
     </message>
@@ -14669,6 +14973,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it does not speak TLS 1.3</source>
         <translation>il ne parle pas TLS 1.3</translation>
+    </message>
+    <message>
+        <source>it ended by signal %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>it ended too early</source>
@@ -14735,6 +15043,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle est attachée à elle-même par l'intermédiaire de '%1'</translation>
     </message>
     <message>
+        <source>it is closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it is coupled to '%1', which does not exist</source>
         <translation>il est couplé à '%1', qui n'existe pas</translation>
     </message>
@@ -14777,6 +15089,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it is not in this cell</source>
         <translation>elle n'est pas dans cette cellule</translation>
+    </message>
+    <message>
+        <source>it is not less than the major radius</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>it is of another kind</source>
@@ -14855,6 +15171,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>joint</translation>
     </message>
     <message>
+        <source>joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>joint '%1'</source>
         <translation>axe '%1'</translation>
     </message>
@@ -14931,8 +15251,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>axes</translation>
     </message>
     <message>
+        <source>joints %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>joints are left out; all parts are read as rigid bodies</source>
         <translation>les articulations sont ignorées ; toutes les pièces sont lues comme des corps rigides</translation>
+    </message>
+    <message>
+        <source>joints of '%1'</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>joints relative to the target before</source>
@@ -15247,6 +15575,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>membre de dialout</translation>
     </message>
     <message>
+        <source>mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>mesh %1, which does not exist</source>
         <translation>le maillage %1, qui n'existe pas</translation>
     </message>
@@ -15267,6 +15599,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>type de message %1</translation>
     </message>
     <message>
+        <source>metadata '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>method = &quot;halton&quot; or &quot;sobol&quot;</source>
         <translation>method = &quot;halton&quot; ou &quot;sobol&quot;</translation>
     </message>
@@ -15281,6 +15617,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>metres and radians</source>
         <translation>des mètres et des radians</translation>
+    </message>
+    <message>
+        <source>metres and radians above 0</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>metres from 0 to 1</source>
@@ -15343,6 +15683,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>distance minimale %1 à %2 s</translation>
     </message>
     <message>
+        <source>minor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>mirrored</source>
         <translation>en miroir</translation>
     </message>
@@ -15381,6 +15725,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>more elements than its buffer views have</source>
         <translation>plus d'éléments que ses vues de tampon n'en contiennent</translation>
+    </message>
+    <message>
+        <source>more than %1 MB of messages</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>more than %1 MB once unpacked</source>
@@ -15453,6 +15801,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>motions</source>
         <translation>mouvements</translation>
+    </message>
+    <message>
+        <source>motions of one robot</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>moved by %1 m, %2 rad</source>
@@ -15691,6 +16043,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de limites pour les axes</translation>
     </message>
     <message>
+        <source>no joints or no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no key is named '%1'</source>
         <translation>aucune clé ne s'appelle '%1'</translation>
     </message>
@@ -15747,6 +16103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun message de ce type</translation>
     </message>
     <message>
+        <source>no message within %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no more than the file size allows</source>
         <translation>pas plus que la longueur du fichier ne permet</translation>
     </message>
@@ -15765,6 +16125,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no moving joint moves this link</source>
         <translation>aucun axe mobile ne le porte</translation>
+    </message>
+    <message>
+        <source>no new state in %1 s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no option is named '%1'</source>
@@ -15803,8 +16167,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun trajet : %1</translation>
     </message>
     <message>
+        <source>no plan_goal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no points</source>
         <translation>pas de points</translation>
+    </message>
+    <message>
+        <source>no posture is named '%1'</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no progress, %1 from the goal (%2); handed to the %3</source>
@@ -15957,6 +16329,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>none; e.g. %1</source>
         <translation>aucun ; p. ex. %1</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>normal, sigma %1</source>
@@ -16131,6 +16507,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres qui ne donnent pas de forme</translation>
     </message>
     <message>
+        <source>numbers, or an array of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>numbers, or registers that the program sets</source>
         <translation>des nombres ou des registres définis</translation>
     </message>
@@ -16179,8 +16559,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>on ou off</translation>
     </message>
     <message>
+        <source>on_contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one</source>
         <translation>un</translation>
+    </message>
+    <message>
+        <source>one at byte %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>one character</source>
@@ -16193,6 +16581,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one element inside the call for each block</source>
         <translation>un élément dans l'appel pour chaque bloc</translation>
+    </message>
+    <message>
+        <source>one finite position for each joint and rising times</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>one link that is not the child of a joint</source>
@@ -16255,6 +16647,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un squelette par fichier</translation>
     </message>
     <message>
+        <source>one that ends in .hcell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one that exists in the cell</source>
         <translation>un élément de la cellule</translation>
     </message>
@@ -16275,12 +16671,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un seul, ou %1</translation>
     </message>
     <message>
+        <source>one whose joints are a chain or a tree</source>
+        <translation>un robot dont les articulations forment une chaîne ou un arbre</translation>
+    </message>
+    <message>
         <source>one, another, …</source>
         <translation>une, une autre, …</translation>
     </message>
     <message>
-        <source>one whose joints are a chain or a tree</source>
-        <translation>un robot dont les articulations forment une chaîne ou un arbre</translation>
+        <source>one, or no name; merge=True makes one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>only files in %1</source>
@@ -16315,8 +16715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>origine</translation>
     </message>
     <message>
+        <source>other first bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>other joints</source>
         <translation>d'autres axes</translation>
+    </message>
+    <message>
+        <source>other joints or channels than the first motion</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>other users can write to it</source>
@@ -16335,6 +16743,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>hors de la cellule</translation>
     </message>
     <message>
+        <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>outside the folder: %1</source>
         <translation>hors du dossier : %1</translation>
     </message>
@@ -16345,6 +16757,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>packing</source>
         <translation>compression</translation>
+    </message>
+    <message>
+        <source>pair</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>pair rule</source>
@@ -16471,6 +16887,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>des points sans faces</translation>
     </message>
     <message>
+        <source>port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>poses</source>
         <translation>poses</translation>
     </message>
@@ -16491,8 +16915,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>des positions qui ne sont pas une liste</translation>
     </message>
     <message>
+        <source>positions that do not fit the joints, or a time that does not rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>positive values</source>
         <translation>des valeurs positives</translation>
+    </message>
+    <message>
+        <source>posture</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>practice, retention or transfer</source>
@@ -16519,12 +16951,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>rad ou deg</translation>
     </message>
     <message>
+        <source>radians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radians or metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>radians, 0.001 to 3</source>
         <translation>des radians, de 0,001 à 3</translation>
     </message>
     <message>
         <source>range() with a step of 0</source>
         <translation>range() avec un pas de 0</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>reading</source>
@@ -16707,6 +17151,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de temps</translation>
     </message>
     <message>
+        <source>sample %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>samples with a method that has none</source>
         <translation>samples avec une méthode qui n'en a pas</translation>
     </message>
@@ -16721,6 +17169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>scenes other than the main one</source>
         <translation>des scènes en plus de la principale</translation>
+    </message>
+    <message>
+        <source>schema %1 twice, with different content</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>scope=&quot;%1&quot; is unknown; the property '%2' is set in the current scope</source>
@@ -16751,6 +17203,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
     </message>
     <message>
+        <source>seconds from the beginning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>seconds or metres above 0</source>
         <translation>des secondes ou des mètres, plus que 0</translation>
     </message>
@@ -16763,12 +17219,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes, plus de 0</translation>
     </message>
     <message>
+        <source>seconds, for a hand that is a function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>segments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>self_origin, geometric_center or frame:NAME of an entity</source>
         <translation>self_origin, geometric_center ou frame:NAME d'une entité</translation>
     </message>
     <message>
         <source>seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1</source>
         <translation>sept nombres x,y,z,qw,qx,qy,qz avec un quaternion de norme 1</translation>
+    </message>
+    <message>
+        <source>several of type %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape (n, 9): t, x, y, z, qw, qx, qy, qz, button</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>shape morphing; the mesh is shown as modelled</source>
@@ -16963,12 +17439,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>arrêt avant l'évaluation de toutes les variantes ; les lignes déjà produites sont gardées</translation>
     </message>
     <message>
-        <source>stopped before its end</source>
-        <translation>arrêté avant la fin</translation>
-    </message>
-    <message>
         <source>stopped before everything was answered</source>
         <translation>arrêté avant que tout ait une réponse</translation>
+    </message>
+    <message>
+        <source>stopped before its end</source>
+        <translation>arrêté avant la fin</translation>
     </message>
     <message>
         <source>straight</source>
@@ -17203,12 +17679,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>la colonne manque</translation>
     </message>
     <message>
+        <source>the command failed without a sentence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the command line</source>
         <translation>ligne de commande</translation>
     </message>
     <message>
         <source>the command needs a subcommand</source>
         <translation>la commande demande une sous-commande</translation>
+    </message>
+    <message>
+        <source>the compression '%1'</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the condition &quot;%1&quot;, which gives &quot;%2&quot;</source>
@@ -17541,6 +18025,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file's ending '%1'</source>
         <translation>la terminaison « %1 » du fichier</translation>
+    </message>
+    <message>
+        <source>the file's name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the folder already exists and is not empty</source>
@@ -17907,6 +18395,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un de ses outils</translation>
     </message>
     <message>
+        <source>the name of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the name of the entity whose surface the guide follows</source>
         <translation>le nom de l'entité dont la surface est suivie</translation>
     </message>
@@ -18071,6 +18563,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ffmpeg, qui écrit les vidéos</translation>
     </message>
     <message>
+        <source>the program hapticell-ros2 is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the program has no lines</source>
         <translation>le programme n'a pas de lignes</translation>
     </message>
@@ -18125,6 +18621,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the robot's base</source>
         <translation>la base du robot</translation>
+    </message>
+    <message>
+        <source>the robots %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the rods do not reach the platform at the home position</source>
@@ -18307,6 +18807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le numéro de version manque</translation>
     </message>
     <message>
+        <source>the vertex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the way of '%1'</source>
         <translation>le chemin de « %1 »</translation>
     </message>
@@ -18357,6 +18861,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>there is no joint for the spine; the trunk moves as one piece</source>
         <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
+    </message>
+    <message>
+        <source>there is no room around the place where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these parts are not checked</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
@@ -18455,8 +18967,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>les temps commencent à %1 : la première ligne est le temps 0</translation>
     </message>
     <message>
+        <source>times that do not decrease, buttons from 0 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>times that increase</source>
         <translation>des temps croissants</translation>
+    </message>
+    <message>
+        <source>times, index %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>to device edge</source>
@@ -18465,6 +18989,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>to is not above from</source>
         <translation>to n'est pas supérieur à from</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>too many brackets</source>
@@ -18479,6 +19007,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>outil</translation>
     </message>
     <message>
+        <source>topic %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>topic %1, message %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>topics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>touches %1</source>
         <translation>touche %1</translation>
     </message>
@@ -18489,6 +19029,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>trajectories</source>
         <translation>trajectoires</translation>
+    </message>
+    <message>
+        <source>trajectory</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trajectory %1</source>
@@ -18509,6 +19053,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>triangle %1 of %2</source>
         <translation>triangle %1 sur %2</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>triangles as in AP242</source>
@@ -18691,6 +19239,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>des numéros de sommets de 0 à %1</translation>
     </message>
     <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices of shape (n, 3) and triangles of shape (m, 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
     </message>
@@ -18763,6 +19319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>écriture</translation>
     </message>
     <message>
+        <source>x %1, y %2, z %3 and a quaternion of length %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>x, y and z</source>
         <translation>x, y et z</translation>
     </message>
@@ -18783,6 +19343,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>x, y, z, -x, -y ou -z</translation>
     </message>
     <message>
+        <source>x, y, z, qw, qx, qy, qz, or a 4 x 4 matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>x,y,z,qw,qx,qy,qz</source>
         <translation>x,y,z,qw,qx,qy,qz</translation>
     </message>
@@ -18799,12 +19363,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>mesures propres</translation>
     </message>
     <message>
+        <source>zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>zero-area triangles, left out in a workcell</source>
         <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
     </message>
     <message>
         <source>zfill(%1)</source>
         <translation>zfill(%1)</translation>
+    </message>
+    <message>
+        <source>zstd, lz4 or none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>°</source>
