@@ -128,14 +128,28 @@ class Scene {
     PlacedBounds at;
     bool is_known = false;
   };
-  /// Middles of a motion, its halves and its quarters: 1; 2, 3; 4 to 7.
-  static constexpr std::size_t kStations = 8;
+  /// A stretch of a motion; number 1 is the whole, 2 and 3 its halves, 4 to 7 its quarters.
+  struct Stretch {
+    double from, to;
+    std::size_t node;
+    double middle() const { return 0.5 * (from + to); }
+  };
+  /// Where any point of a part is on a stretch: where it is in its middle, moved by some share from -1 to 1 of d_W, and
+  /// by as much again in any direction as `rest` (m).
+  struct Spread {
+    dvec3 d_W{0.0};
+    double rest = 0.0;
+    bool is_known = false;
+  };
+  /// Of so many stretches middle and spread are kept.
+  static constexpr std::size_t kStations = 16;
   /// A part of advance().
   struct Swept {
     PartIndex part;
     const PartMotion* motion;
     PlacedBounds begin;
     std::array<Station, kStations> stations{};  ///< Those that were asked for.
+    std::array<Spread, kStations> spread{};
   };
 
   /// One of a pair in advance().
@@ -146,7 +160,7 @@ class Scene {
     const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
   };
 
-  static geometry::Bounds sweptBox(const Swept& swept, const MeshCollider& collider);
+  static geometry::Bounds sweptBox(const Swept& swept);
 
   /// Where the part is now: placed when it is asked for, as most parts that move are not.
   const PlacedBounds& boundsOf(PartIndex index) {
@@ -181,6 +195,7 @@ class Scene {
   void addMotionPair(const Swept& swept, PartIndex other, double clearance);
   Mover moverOf(PartIndex part);
   const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
+  Spread spreadOf(Mover& mover, std::size_t node, const Stretch& stretch, const Pose& X_WMiddle) const;
   MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 
