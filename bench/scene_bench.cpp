@@ -2,11 +2,12 @@
 // Whole cells: which parts are near, beside the peer's broad phase in the same process. Prints a table of
 // docs/dev/performance.md.
 //
-// usage: scene_bench [chain] [one] [cell]
+// usage: scene_bench [alone] [chain] [one] [cell]
+// alone: without the peer (for a profiler);
 // chain: 7 links x 80 parts; one: 1 part x 10 to 5000; cell: 7 links in cells of 50 and 5000 parts of one density.
 // Default: all. cell_bench opens and holds such cells.
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "bench/collision_scenes.h"
+#include "bench/thread_clock.h"
 #include "collision/queries/scene.h"
 #ifdef HAPTICELL_HAS_FCL
 #include "bench/fcl_peer.h"
@@ -28,20 +30,23 @@ using Collider = std::shared_ptr<const collision::MeshCollider>;
 using Poses = std::vector<Pose>;
 constexpr int kWalks = 5, kSamplesOfEdge = 20;
 constexpr std::size_t kSteps = 1000, kEdges = 200;
+bool with_peer = true;
 
+/// Processor time of the thread.
 double microseconds() {
-  return 1e-3 * static_cast<double>(std::chrono::steady_clock::now().time_since_epoch().count());
+  return 1e3 * threadMilliseconds();
 }
 
 /// Each step's least time of several walks, us, sorted.
 template <typename Query>
 std::vector<double> timed(std::size_t steps, const Query& query) {
+  static const double cost = 1e3 * threadClockCost();
   std::vector<double> least(steps, 1e9);
   for (int walk = 0; walk < kWalks; ++walk) {
     for (std::size_t i = 0; i < steps; ++i) {
       const double begin = microseconds();
       query(i);
-      least[i] = std::min(least[i], microseconds() - begin);
+      least[i] = std::min(least[i], std::max(0.0, microseconds() - begin - cost));
     }
   }
   std::sort(least.begin(), least.end());
@@ -102,7 +107,8 @@ class Group {
     });
     std::vector<double> peer;
 #ifdef HAPTICELL_HAS_FCL
-    peer = timed(path.size(), [&](std::size_t i) { theirs[i] = peer_.collides(path[i]); });
+    theirs = ours;
+    if (with_peer) peer = timed(path.size(), [&](std::size_t i) { theirs[i] = peer_.collides(path[i]); });
     const int others =
         static_cast<int>(path.size()) - static_cast<int>(std::inner_product(ours.begin(), ours.end(), theirs.begin(), 0,
                                                                             std::plus<>(), std::equal_to<>()));
@@ -129,6 +135,30 @@ class Group {
   }
 
   /// Straight ways of the joints; the peer looks at samples of it, as planners do.
+  /// The links' poses at the last places that were asked for, as a robot's forward kinematics gives all at once.
+  class KnownPoses {
+   public:
+    template <typename Between>
+    const Poses& at(std::size_t edge, double s, const Between& between) {
+      const auto found = std::find_if(places_.begin(), places_.end(),
+                                      [&](const Place& place) { return place.edge == edge && place.s == s; });
+      if (found != places_.end()) return found->X_WL;
+      Place& place = places_[next_++ % places_.size()];
+      place = {edge, s, chainPoses(between(edge, s))};
+      return place.X_WL;
+    }
+    void forget() { places_ = {}; }
+
+   private:
+    struct Place {
+      std::size_t edge = 0;
+      double s = -1.0;
+      Poses X_WL;
+    };
+    std::array<Place, 32> places_;
+    std::size_t next_ = 0;
+  };
+
   void measureEdges(const std::string& name, const std::vector<std::vector<double>>& from,
                     const std::vector<std::vector<double>>& to) {
     int stopped = 0, met = 0;
@@ -137,6 +167,7 @@ class Group {
       for (std::size_t i = 0; i < angles.size(); ++i) angles[i] += s * (to[edge][i] - from[edge][i]);
       return angles;
     };
+    KnownPoses known;
     const auto motions = [&](std::size_t edge) {
       std::vector<collision::MovedPart> parts(moved_.size());
       for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -151,13 +182,7 @@ class Group {
           motion.path_bound += turn * reach;
         }
         motion.bend_bound = 2.0 * turned * motion.path_bound;
-        motion.along = [&from, &to, edge, i](double s) {
-          Pose X;
-          for (std::size_t k = 0; k <= i; ++k) {
-            X = X * chainJoint(k, from[edge][k] + s * (to[edge][k] - from[edge][k]));
-          }
-          return X;
-        };
+        motion.along = [&known, &between, edge, i](double s) { return known.at(edge, s, between)[i]; };
       }
       return parts;
     };
@@ -165,18 +190,20 @@ class Group {
     for (std::size_t edge = 0; edge < from.size(); ++edge) all.push_back(motions(edge));
     const auto times = timed(from.size(), [&](std::size_t edge) {
       if (edge == 0) stopped = 0;
+      known.forget();
       stopped += scene_.advance(all[edge], 0.0).stopped;
     });
     std::vector<double> peer;
 #ifdef HAPTICELL_HAS_FCL
-    peer = timed(from.size(), [&](std::size_t edge) {
-      if (edge == 0) met = 0;
-      bool meets = false;
-      for (int k = 0; k <= kSamplesOfEdge && !meets; ++k) {
-        meets = peer_.collides(chainPoses(between(edge, static_cast<double>(k) / kSamplesOfEdge)));
-      }
-      met += meets;
-    });
+    if (with_peer)
+      peer = timed(from.size(), [&](std::size_t edge) {
+        if (edge == 0) met = 0;
+        bool meets = false;
+        for (int k = 0; k <= kSamplesOfEdge && !meets; ++k) {
+          meets = peer_.collides(chainPoses(between(edge, static_cast<double>(k) / kSamplesOfEdge)));
+        }
+        met += meets;
+      });
 #endif
     row(name, "motion check of an edge of 0.2 rad", times, peer,
         std::to_string(stopped) + " stop; peer (" + std::to_string(kSamplesOfEdge + 1) + " samples) meets " +
@@ -303,6 +330,7 @@ void chainInCells() {
 int main(int argc, char** argv) {
   using namespace hapticell::bench;
   std::vector<std::string> wanted(argv + 1, argv + argc);
+  with_peer = std::erase(wanted, "alone") == 0;
   if (wanted.empty()) wanted = {"chain", "one", "cell"};
   std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL, us | x median | |\n");
   std::printf("| --- | --- | --- | --- | --- | --- |\n");

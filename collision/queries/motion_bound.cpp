@@ -7,11 +7,13 @@
 
 namespace hapticell::collision {
 
-double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
-  const double shift = glm::distance(X_WB0 * p_BS, X_WB1 * p_BS);
+double turnBound(const Pose& X_WB0, const Pose& X_WB1, double radius) {
   const dquat turn = X_WB1.q * glm::conjugate(X_WB0.q);
-  const double half_sine = std::min(1.0, glm::length(dvec3(turn.x, turn.y, turn.z)));
-  return shift + 2.0 * radius * half_sine;
+  return 2.0 * radius * std::min(1.0, glm::length(dvec3(turn.x, turn.y, turn.z)));
+}
+
+double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
+  return glm::distance(X_WB0 * p_BS, X_WB1 * p_BS) + turnBound(X_WB0, X_WB1, radius);
 }
 
 MotionLever leverOf(const MeshCollider& a, const MeshCollider& b) {

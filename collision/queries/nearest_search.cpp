@@ -23,6 +23,7 @@ NearestSearch::NearestSearch(const MeshCollider& a, const MeshCollider& b, const
   if (demand.limit < std::numeric_limits<double>::infinity()) {
     best_.squared = demand.limit * demand.limit;
     prune_squared_ = static_cast<float>(best_.squared);
+    if (demand.enough >= (1.0 - 1e-9) * demand.limit) eager_ = 1;
   }
 }
 
@@ -129,8 +130,14 @@ void NearestSearch::leafPair(const TraversalBox&, const TraversalBox&, const Lea
       if (done_) return;
     }
   }
-  // The first bound is worth a kernel of its own.
-  if (best_.squared == std::numeric_limits<double>::infinity()) flush();
+  // The first bound is worth a kernel of its own. Where any near pair will do the first ones probably are; twice as
+  // many each time that they were not.
+  if (packed_ >= eager_) {
+    flush();
+    eager_ *= 2;
+  } else if (best_.squared == std::numeric_limits<double>::infinity()) {
+    flush();
+  }
 }
 
 void NearestSearch::flush() {

@@ -72,6 +72,7 @@ class NearestSearch {
   bool done_ = false;
   float prune_squared_ = std::numeric_limits<float>::infinity();
   int packed_ = 0;
+  int eager_ = kPackSize;  ///< So many collected pairs are measured without waiting for more.
   TriangleIndices packed_pair_[kPackSize];
   PackedPairs pack_;
   PackedDistances distances_;

@@ -25,4 +25,8 @@ PlacedBounds placedBounds(const MeshCollider& mesh, const Pose& X_WM);
 double sphereGap(const PlacedBounds& a, const PlacedBounds& b);
 double boxGap(const PlacedBounds& a, const PlacedBounds& b);
 
+/// The same while A moves by any share from -1 to 1 of `sweep_W` (m).
+double sweptSphereGap(const PlacedBounds& a, const PlacedBounds& b, const dvec3& sweep_W);
+double sweptBoxGap(const PlacedBounds& a, const PlacedBounds& b, const dvec3& sweep_W);
+
 }  // namespace hapticell::collision

@@ -8,6 +8,7 @@
 #include "collision/queries/mesh_search.h"
 #include "collision/queries/motion_bound.h"
 #include "collision/queries/nearest_search.h"
+#include "collision/queries/sweep_search.h"
 #include "geometry/system/assertion.h"
 
 namespace hapticell::collision {
@@ -203,6 +204,13 @@ bool ProximityQuery::within(const Pose& X_WA, const Pose& X_WB, double margin) {
     return true;
   }
   return isContained(X_AB, demand.enough);
+}
+
+bool ProximityQuery::mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sweep_W, double margin, int effort) {
+  if (a_->isEmpty() || b_->isEmpty()) return false;
+  const Pose X_AB = X_WA.inverse() * X_WB;
+  SweepSearch search(*a_, *b_, X_AB, {X_WA.inverse().rotate(sweep_W), margin, effort});
+  return search.run(last_);
 }
 
 DistanceResult distance(const std::shared_ptr<const MeshCollider>& a, const Pose& X_WA,

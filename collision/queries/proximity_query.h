@@ -44,6 +44,12 @@ class ProximityQuery {
   /// Whether the distance is `margin` (m) or less; ends at the first pair of triangles that is near enough.
   bool within(const Pose& X_WA, const Pose& X_WB, double margin);
 
+  /// Whether the surfaces may come as near as `margin` (m) while A moves by any share from -1 to 1 of `sweep_W` (m)
+  /// from here, and B not. False is proven; true may be said where they only come as near as the margin and the sweep's
+  /// length together. Says nothing of one inside the other.
+  bool mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sweep_W, double margin,
+               int effort = std::numeric_limits<int>::max());
+
   const MeshCollider& a() const { return *a_; }
   const MeshCollider& b() const { return *b_; }
 

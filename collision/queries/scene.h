@@ -103,8 +103,8 @@ class Scene {
   /// A pair that does not surely keep its clearance everywhere on this motion; empty: all of them do, both ends
   /// included. `clearance` (m) is by the tag of the pair, one for each tag that is used. Proven by halving: pairs that
   /// keep it by less than a tenth of it (at least 0.1 mm) may be found too; with a clearance of 0 only those that
-  /// advance() would stop. Parts that do not move (path_bound 0) are looked at if `standing`. The poses of the scene are
-  /// not changed. A part is listed once.
+  /// advance() would stop. Parts that do not move (path_bound 0) are looked at if `standing`. The poses of the scene
+  /// are not changed. A part is listed once.
   std::optional<PairIndex> findNearer(std::span<const MovedPart> moved, std::span<const double> clearance,
                                       bool standing);
 
@@ -136,8 +136,21 @@ class Scene {
     PlacedBounds at;
     bool is_known = false;
   };
-  /// Middles of a motion, its halves and its quarters: 1; 2, 3; 4 to 7. At 0 its end, asked for as kEndNode.
-  static constexpr std::size_t kStations = 8;
+  /// A stretch of a motion; number 1 is the whole, 2 and 3 its halves, 4 to 7 its quarters.
+  struct Stretch {
+    double from, to;
+    std::size_t node;
+    double middle() const { return 0.5 * (from + to); }
+  };
+  /// Where any point of a part is on a stretch: where it is in its middle, moved by some share from -1 to 1 of d_W, and
+  /// by as much again in any direction as `rest` (m).
+  struct Spread {
+    dvec3 d_W{0.0};
+    double rest = 0.0;
+    bool is_known = false;
+  };
+  /// Of so many stretches middle and spread are kept. Instead of a middle 0 has the end, asked for as kEndNode.
+  static constexpr std::size_t kStations = 16;
   static constexpr std::size_t kEndNode = ~std::size_t{0};
   /// A part of advance().
   struct Swept {
@@ -145,6 +158,7 @@ class Scene {
     const PartMotion* motion;
     PlacedBounds begin;
     std::array<Station, kStations> stations{};  ///< Those that were asked for.
+    std::array<Spread, kStations> spread{};
   };
 
   /// One of a pair in advance().
@@ -155,7 +169,7 @@ class Scene {
     const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
   };
 
-  static geometry::Bounds sweptBox(const Swept& swept, const MeshCollider& collider);
+  static geometry::Bounds sweptBox(const Swept& swept);
 
   /// Where the part is now: placed when it is asked for, as most parts that move are not.
   const PlacedBounds& boundsOf(PartIndex index) {
@@ -191,6 +205,7 @@ class Scene {
   bool keepsApart(ProximityQuery& query, Mover& a, Mover& b, double clearance);
   Mover moverOf(PartIndex part);
   const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
+  Spread spreadOf(Mover& mover, std::size_t node, const Stretch& stretch, const Pose& X_WMiddle) const;
   MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 

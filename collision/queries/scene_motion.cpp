@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene::advance().
+// Scene::advance() and Scene::findNearer().
 #include <algorithm>
 #include <cmath>
 
+#include "collision/queries/motion_bound.h"
 #include "collision/queries/scene.h"
 
 namespace hapticell::collision {
@@ -19,6 +20,14 @@ constexpr int kMostHalvings = 14;
 constexpr double kProofShare = 0.2;
 /// m: the shortest stretch of findNearer(). Half: one halving more with small clearances; twice: 0.2 mm more are kept.
 constexpr double kShortestProof = 2e-4;
+
+/// The numbers of the whole motion and of the last stretch that is searched with little effort before it is halved (the
+/// halves). Half: wholes are searched long; twice: quarters are searched again in their halves.
+constexpr std::size_t kWhole = 1, kSoonHalved = 3;
+/// Boxes that such a search opens (a search that proves something opens 30 mostly). Half: fewer are proven; twice:
+/// longer searches that prove nothing.
+constexpr int kEffortBeforeHalving = 100;
+constexpr int kAnyEffort = std::numeric_limits<int>::max();
 
 /// A piece of a motion.
 struct Cut {
@@ -39,32 +48,33 @@ struct Cut {
 
 }  // namespace
 
-/// Around all places of the part on its way. A point on the way is no farther from its nearer end than half the way's
-/// length, nor from the line between both ends than the way bends.
-geometry::Bounds Scene::sweptBox(const Swept& swept, const MeshCollider& collider) {
-  geometry::Bounds box = swept.begin.box_W();
-  const PartMotion& motion = *swept.motion;
-  if (motion.path_bound == 0.0) return box;
-  box.add(placedBounds(collider, motion.at(1.0)).box_W());
-  const double beside = std::min(0.5 * motion.path_bound, motion.bend_bound / 8.0);
+/// Around all places of the part on its way.
+geometry::Bounds Scene::sweptBox(const Swept& swept) {
+  const geometry::Bounds box = swept.stations[kWhole].at.box_W();
+  const Spread& spread = swept.spread[kWhole];
+  const dvec3 beside = glm::abs(spread.d_W) + spread.rest;
   return {box.min - beside, box.max + beside};
 }
 
 void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing) {
+  if (parts_[other].empty) return;
+  const std::uint32_t listed = swept_of_[other];
+  const Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
+  if (!standing && swept.motion->path_bound + (met == nullptr ? 0.0 : met->motion->path_bound) == 0.0) return;
+  const PlacedBounds &at = swept.stations[kWhole].at,
+                     &other_at = met == nullptr ? boundsOf(other) : met->stations[kWhole].at;
+  const Spread still{}, &spread = swept.spread[kWhole], &other_spread = met == nullptr ? still : met->spread[kWhole];
+  const dvec3 sweep_W = spread.d_W - other_spread.d_W;
+  const double margin = spread.rest + other_spread.rest + clearance;
+  if (sweptSphereGap(at, other_at, sweep_W) > margin) return;
   const PairIndex index = pairs_.find(swept.part, other);
-  if (index == ScenePairs::kNone || parts_[other].empty) return;
+  if (index == ScenePairs::kNone) return;
   ScenePairs::Pair& pair = pairs_[index];
   if (!pair.enabled || pair.seen == pass_) return;
   pair.seen = pass_;
-  const std::uint32_t listed = swept_of_[other];
-  const Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
-  const PlacedBounds& at = met == nullptr ? boundsOf(other) : met->begin;
-  const double reach = swept.motion->path_bound + (met == nullptr ? 0.0 : met->motion->path_bound) + clearance;
-  if (reach == clearance && !standing) return;
-  double bound = sphereGap(swept.begin, at);
-  if (bound > reach) return;
-  bound = std::max(bound, boxGap(swept.begin, at));
-  if (bound <= reach) candidates_.push_back({bound, index});
+  if (sweptBoxGap(at, other_at, sweep_W) > margin) return;
+  const PlacedBounds& other_begin = met == nullptr ? other_at : met->begin;
+  candidates_.push_back({std::max(sphereGap(swept.begin, other_begin), boxGap(swept.begin, other_begin)), index});
 }
 
 void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing) {
@@ -74,11 +84,14 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bo
   for (const MovedPart& part : moved) {
     if (parts_[part.part].empty) continue;
     // The bounds are of the beginning, wherever the scene has its parts now.
-    swept_.push_back({part.part, &part.motion, placedBounds(*parts_[part.part].collider, part.motion.at(0.0)), {}});
+    swept_.push_back({part.part, &part.motion, placedBounds(*parts_[part.part].collider, part.motion.at(0.0)), {}, {}});
     swept_of_[part.part] = static_cast<std::uint32_t>(swept_.size());
+    Mover mover = moverOf(part.part);
+    Station scratch;
+    spreadOf(mover, kWhole, {0.0, 1.0, kWhole}, stationOf(mover, kWhole, 0.5, scratch).X_WP);
   }
   for (const Swept& swept : swept_) {
-    tree_.visitNear(sweptBox(swept, *parts_[swept.part].collider), clearance, [&](PartIndex other) {
+    tree_.visitNear(sweptBox(swept), clearance, [&](PartIndex other) {
       if (swept_of_[other] == 0) addMotionPair(swept, other, clearance, standing);
     });
     for (const Swept& other : swept_) {
@@ -115,32 +128,58 @@ const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s,
   return station;
 }
 
+/// Towards each end a point is no farther from its chord than its path bends, and its chord is that of the sphere's
+/// centre but for the turn.
+Scene::Spread Scene::spreadOf(Mover& mover, std::size_t node, const Stretch& stretch, const Pose& X_WMiddle) const {
+  if (mover.swept == nullptr) return {};
+  const bool is_kept = node > 0 && node < kStations;
+  if (is_kept && mover.swept->spread[node].is_known) return mover.swept->spread[node];
+  const PartMotion& motion = mover.motion();
+  const double half = 0.5 * (stretch.to - stretch.from);
+  Spread spread{dvec3(0.0), motion.path_bound * half, true};
+  const double beside = motion.bend_bound * half * half / 8.0;
+  if (beside < spread.rest) {
+    const MeshCollider& mesh = *parts_[mover.part].collider;
+    const Pose X_WFrom = motion.at(stretch.from), X_WTo = motion.at(stretch.to);
+    const dvec3 back = X_WFrom * mesh.center() - X_WMiddle * mesh.center();
+    const dvec3 ahead = X_WTo * mesh.center() - X_WMiddle * mesh.center();
+    const double turn =
+        std::max(turnBound(X_WFrom, X_WMiddle, mesh.radius()), turnBound(X_WTo, X_WMiddle, mesh.radius()));
+    const double rest = 0.5 * glm::length(ahead + back) + turn + beside;
+    if (rest < spread.rest) spread = {0.5 * (ahead - back), rest, true};
+  }
+  if (is_kept) mover.swept->spread[node] = spread;
+  return spread;
+}
+
 /// As collision::advance(), for motions that are long against what they pass: halves them until what is left of each is
 /// shorter than the distance there, which most searches find without measuring it; only near contact it is followed.
 MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double gap, const MotionDemand& demand) {
   const PartMotion &a = moved.motion(), &b = met.motion();
-  const double rate = a.path_bound + b.path_bound, least = std::max(demand.clearance, kLeastClearance);
+  const double least = std::max(demand.clearance, kLeastClearance);
   if (gap <= least && query.within(a.at(0.0), b.at(0.0), least)) return collision::advance(query, a, b, demand);
-  struct Stretch {
-    double from, to;
-    std::size_t node;
-  };
   constexpr std::size_t kLastNode = std::size_t{1} << kMostHalvings;
   const bool is_whole = demand.until == 1.0;
   Stretch open[kMostHalvings + 2];
   int count = 0;
-  open[count++] = {0.0, demand.until, 1};
+  open[count++] = {0.0, demand.until, kWhole};
   Station scratch_a, scratch_b;
   MotionStop stop;
   while (count > 0) {
     const Stretch piece = open[--count];
-    const double middle = 0.5 * (piece.from + piece.to), length = rate * (piece.to - piece.from);
-    const double margin = least + 0.5 * length + kRounding;
+    const double middle = piece.middle();
     const std::size_t node = is_whole ? piece.node : 0;
     const Station &at_a = stationOf(moved, node, middle, scratch_a), &at_b = stationOf(met, node, middle, scratch_b);
-    if (sphereGap(at_a.at, at_b.at) > margin || boxGap(at_a.at, at_b.at) > margin) continue;
-    if (!query.within(at_a.X_WP, at_b.X_WP, margin)) continue;
-    if (length > kShortStretch && piece.node < kLastNode) {
+    const Spread of_a = spreadOf(moved, node, piece, at_a.X_WP), of_b = spreadOf(met, node, piece, at_b.X_WP);
+    const dvec3 sweep_W = of_a.d_W - of_b.d_W;
+    const double margin = least + of_a.rest + of_b.rest + kRounding;
+    if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin) continue;
+    if (sweptBoxGap(at_a.at, at_b.at, sweep_W) > margin) continue;
+    const bool is_long = 2.0 * (margin + glm::length(sweep_W)) > kShortStretch && piece.node < kLastNode;
+    // Of a long stretch each half is soon looked at, with less to look for: the whole is not worth much.
+    const int effort = !is_long || piece.node > kSoonHalved ? kAnyEffort : kEffortBeforeHalving;
+    if (piece.node > kWhole && !query.mayMeet(at_a.X_WP, at_b.X_WP, sweep_W, margin, effort)) continue;
+    if (is_long) {
       open[count++] = {middle, piece.to, 2 * piece.node + 1};
       open[count++] = {piece.from, middle, 2 * piece.node};
       continue;
@@ -154,35 +193,80 @@ MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double
   return stop;
 }
 
-/// Halves the motion until the distance in the middle of each stretch exceeds the clearance by half of its length.
+SceneStop Scene::stopOnce(double clearance, double until) {
+  SceneStop stop;
+  stop.s = until;
+  const double least = std::max(clearance, kLeastClearance);
+  for (const Candidate& candidate : candidates_) {
+    ScenePairs::Pair& pair = pairs_[candidate.pair];
+    Mover moved = moverOf(pair.moved), met = moverOf(pair.environment);
+    const double reach = (moved.motion().path_bound + met.motion().path_bound) * stop.s;
+    if (stop.s == 0.0 && !stop.began_colliding && candidate.lower_bound <= kTouchingDistance) {
+      stop.began_colliding = queryOf(pair).collides(moved.motion().at(0.0), met.motion().at(0.0));
+    }
+    if (reach == 0.0 || candidate.lower_bound > reach + least) continue;
+    const MotionStop pair_stop = follow(queryOf(pair), moved, met, candidate.lower_bound, {clearance, stop.s});
+    stop.began_colliding |= pair_stop.began_colliding;
+    if (!pair_stop.stopped || pair_stop.s >= stop.s) continue;
+    stop.s = pair_stop.s;
+    stop.stopped = true;
+    stop.pair = candidate.pair;
+    stop.nearest = pair_stop.nearest;
+  }
+  return stop;
+}
+
+SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
+  prepareMotion(moved, std::max(clearance, kLeastClearance) + kTouchingDistance);
+  SceneStop stop = stopOnce(clearance, 1.0);
+  // Passes by which pairs go back that a stop found later has moved past. Then the motion is given up. Half: in crowds
+  // it stops more often; twice: longer before.
+  constexpr int kMostPasses = 4;
+  bool holds = !stop.stopped;
+  for (int pass = 0; !holds && pass < kMostPasses; ++pass) {
+    SceneStop again = stopOnce(clearance, stop.s);
+    holds = !again.stopped;
+    if (holds) break;
+    again.began_colliding = stop.began_colliding;
+    stop = again;
+  }
+  if (!holds) stop.s = 0.0;
+  for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
+  return stop;
+}
+
+/// Halves the motion until each stretch keeps the clearance wherever its spread lets the parts be; the shortest ones by
+/// the distance in their middle alone.
 bool Scene::keepsApart(ProximityQuery& query, Mover& moved, Mover& met, double clearance) {
   const PartMotion &a = moved.motion(), &b = met.motion();
   const double rate = a.path_bound + b.path_bound, least = std::max(clearance, kLeastClearance);
   const bool is_contact = clearance <= kLeastClearance;
   const double shortest = is_contact ? kShortStretch : std::max(kShortestProof, kProofShare * clearance);
-  struct Stretch {
-    double from, to;
-    std::size_t node;
-  };
   constexpr std::size_t kLastNode = std::size_t{1} << (kMostHalvings + 4);
   Stretch open[kMostHalvings + 8];
   int count = 0;
-  open[count++] = {0.0, 1.0, 1};
+  open[count++] = {0.0, 1.0, kWhole};
   Station scratch_a, scratch_b;
   while (count > 0) {
     const Stretch piece = open[--count];
-    const double middle = 0.5 * (piece.from + piece.to), length = rate * (piece.to - piece.from);
-    const double margin = least + 0.5 * length + kRounding;
+    const double middle = piece.middle(), length = rate * (piece.to - piece.from);
     const Station& at_a = stationOf(moved, piece.node, middle, scratch_a);
     const Station& at_b = stationOf(met, piece.node, middle, scratch_b);
-    if (sphereGap(at_a.at, at_b.at) > margin || boxGap(at_a.at, at_b.at) > margin) continue;
-    if (!query.within(at_a.X_WP, at_b.X_WP, margin)) continue;
-    if (length > shortest && piece.node < kLastNode) {
+    const Spread of_a = spreadOf(moved, piece.node, piece, at_a.X_WP),
+                 of_b = spreadOf(met, piece.node, piece, at_b.X_WP);
+    const dvec3 sweep_W = of_a.d_W - of_b.d_W;
+    const double margin = least + of_a.rest + of_b.rest + kRounding;
+    if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin || sweptBoxGap(at_a.at, at_b.at, sweep_W) > margin) continue;
+    const bool is_long = length > shortest && piece.node < kLastNode;
+    const int effort = !is_long || piece.node > kSoonHalved ? kAnyEffort : kEffortBeforeHalving;
+    if (!query.mayMeet(at_a.X_WP, at_b.X_WP, sweep_W, margin, effort)) continue;
+    if (is_long) {
       if (query.within(at_a.X_WP, at_b.X_WP, least)) return false;
       open[count++] = {middle, piece.to, 2 * piece.node + 1};
       open[count++] = {piece.from, middle, 2 * piece.node};
       continue;
     }
+    if (!query.within(at_a.X_WP, at_b.X_WP, least + 0.5 * length + kRounding)) continue;
     if (!is_contact || length == 0.0) return false;
     const Cut cut_a(a, piece.from, piece.to), cut_b(b, piece.from, piece.to);
     const MotionStop stop = collision::advance(query, cut_a.motion, cut_b.motion, {0.0, 1.0});
@@ -214,7 +298,10 @@ std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std
     Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
     const double least = std::max(clearanceOf(candidates_[i].pair), kLeastClearance);
     if (candidates_[i].lower_bound > a.motion().path_bound + b.motion().path_bound + least) continue;
-    if (!keepsApart(queryOf(pair), a, b, clearanceOf(candidates_[i].pair))) found = candidates_[i].pair;
+    // One inside the other is seen here only: on its way out its surface would come near.
+    const bool begins_near =
+        candidates_[i].lower_bound <= least && queryOf(pair).within(a.motion().at(0.0), b.motion().at(0.0), least);
+    if (begins_near || !keepsApart(queryOf(pair), a, b, clearanceOf(candidates_[i].pair))) found = candidates_[i].pair;
   }
   for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
   return found;

@@ -47,15 +47,29 @@ void TraversalSide::see(TraversalBox& box) const {
   box.seen_center = R * box.center + p;
 }
 
-void TraversalSide::bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const {
-  const BoxNode& node = tree.node(opened.child);
+namespace {
+
+QueryBox seenFrom(const BoxNode& node, const TraversalBox& box) {
   QueryBox query;
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) query.axis[i][k] = other.seen_axis[i][k];
-    query.center[i] = static_cast<float>(other.seen_center[i] - double{node.origin[i]});
-    query.half[i] = other.own.half[i];
+    for (int k = 0; k < 3; ++k) query.axis[i][k] = box.seen_axis[i][k];
+    query.center[i] = static_cast<float>(box.seen_center[i] - double{node.origin[i]});
+    query.half[i] = box.own.half[i];
   }
-  proximityKernels().boxBounds(node, query, squared);
+  return query;
+}
+
+}  // namespace
+
+void TraversalSide::bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const {
+  const BoxNode& node = tree.node(opened.child);
+  proximityKernels().boxBounds(node, seenFrom(node, other), squared);
+}
+
+void TraversalSide::sweptBounds(const TraversalBox& opened, const TraversalBox& other, const float* sweep,
+                                float* squared) const {
+  const BoxNode& node = tree.node(opened.child);
+  proximityKernels().sweptBoxBounds(node, seenFrom(node, other), sweep, squared);
 }
 
 bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared) {

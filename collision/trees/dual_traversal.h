@@ -34,6 +34,8 @@ struct TraversalSide {
   void see(TraversalBox& box) const;
   /// Lower bounds of the distances between the other side's box and the children of a box of this side.
   void bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const;
+  /// The same where the other box moves by any share from -1 to 1 of `sweep`, in this side's mesh's frame.
+  void sweptBounds(const TraversalBox& opened, const TraversalBox& other, const float* sweep, float* squared) const;
 };
 
 /// Whether a leaf much larger than the box is farther from it than the limit. It checks the leaf's triangles, because
@@ -44,8 +46,10 @@ bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double li
 ///
 /// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b, const
 /// LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
-/// TraversalBox& b), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of an opened box
-/// that were left out and the least of their bounds.
+/// TraversalBox& b), const float* sweep(bool in_a) and float reachSquared() where the meshes move against each other
+/// (see TraversalSide::sweptBounds(); nothing is nearer than the square root of reachSquared() in the middle of it that
+/// comes nearer than the limit), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of an
+/// opened box that were left out and the least of their bounds.
 template <typename Visitor>
 class DualTraversal {
  public:
@@ -106,7 +110,9 @@ class DualTraversal {
                        const TraversalSide& box_side) {
     if (!leaf.isLeaf() || leaf.size <= kMuchLarger * box.size) return false;
     box_side.see(box);
-    return isBeyondTriangles(side.tree.leaf(leaf.child), box, double{visitor_.limitSquared()});
+    float limit = visitor_.limitSquared();
+    if constexpr (requires { visitor_.reachSquared(); }) limit = visitor_.reachSquared();
+    return isBeyondTriangles(side.tree.leaf(leaf.child), box, double{limit});
   }
 
   void openOne(const TraversalSide& side, TraversalBox& opened, const TraversalSide& other_side, TraversalBox& other,
@@ -114,17 +120,22 @@ class DualTraversal {
     const BoxNode& node = side.tree.node(opened.child);
     alignas(32) float bounds[kTreeWidth];
     other_side.see(other);
-    side.bounds(opened, other, bounds);
+    if constexpr (requires { visitor_.sweep(opened_a); })
+      side.sweptBounds(opened, other, visitor_.sweep(opened_a), bounds);
+    else
+      side.bounds(opened, other, bounds);
     int order[kTreeWidth];
-    int near = 0;
+    int near = 0, met = 0;
     lanes &= (1u << node.count) - 1u;
     const float limit = visitor_.limitSquared();
     for (int lane = 0; lane < static_cast<int>(node.count); ++lane) {
       if ((lanes >> lane & 1u) == 0 || bounds[lane] >= limit) continue;
+      met += bounds[lane] == 0.0f ? 1 : 0;
       int at = near++;
       for (; at > 0 && bounds[order[at - 1]] > bounds[lane]; --at) order[at] = order[at - 1];
       order[at] = lane;
     }
+    if (met > 1) deepestFirst(node, other, order, met);
     unsigned left_out = lanes;
     for (int i = 0; i < near && !visitor_.isDone() && bounds[order[i]] < visitor_.limitSquared(); ++i) {
       left_out &= ~(1u << order[i]);
@@ -142,6 +153,28 @@ class DualTraversal {
         if ((left_out >> lane & 1u) != 0 && bounds[lane] < least) least = bounds[lane];
       }
       visitor_.culled(opened_a ? opened : other, opened_a ? other : opened, opened_a, left_out, least);
+    }
+  }
+
+  /// Sorts children that the box overlaps: where the middles are near against the child's size, contact is found
+  /// soonest.
+  static void deepestFirst(const BoxNode& node, const TraversalBox& box, int* order, int count) {
+    float center[3], rank[kTreeWidth];
+    for (int i = 0; i < 3; ++i) center[i] = static_cast<float>(box.seen_center[i] - double{node.origin[i]});
+    for (int lane = 0; lane < kTreeWidth; ++lane) {
+      float apart = 0.0f, size = 1e-30f;
+      for (int i = 0; i < 3; ++i) {
+        const float along = node.center[i][lane] - center[i];
+        apart += along * along;
+        size += node.half[i][lane] * node.half[i][lane];
+      }
+      rank[lane] = apart / size;
+    }
+    for (int i = 1; i < count; ++i) {
+      const int lane = order[i];
+      int at = i;
+      for (; at > 0 && rank[order[at - 1]] > rank[lane]; --at) order[at] = order[at - 1];
+      order[at] = lane;
     }
   }
 

@@ -105,6 +105,12 @@ struct ProximityKernels {
 
   /// Which of the 16 boxes (bit by lane) overlap or touch the box.
   std::uint32_t (*nearBoxes)(const PartBoxes& boxes, const QueryBounds& query);
+
+  /// boxBounds() and leafPairs() where the one moves against the other: by any share from -1 to 1 of `sweep` (in the
+  /// node's frame, or the first leaf's). Lower bounds over all of these places.
+  void (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const float* sweep, float* squared);
+  std::uint32_t (*sweptLeafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
+                                  float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]);
 };
 
 /// The kernels of this machine: the widest instruction set of its processor. To use less, set HAPTICELL_SIMD to

@@ -96,15 +96,44 @@ HAPTICELL_INLINE Vector<V> loadVector(const T* x, int stride) {
 /// missed (DistanceOracle); twice: more pairs measured in double.
 constexpr float kRoundingOfSums = 1.5e-6f;
 
+HAPTICELL_INLINE float absolute(float x) {
+  return x < 0.0f ? -x : x;
+}
+
+/// What is free beside a sweep, square to it: there the sweep takes no room.
 template <typename V>
-HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, float* squared) {
+HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
+                               const float* sweep, V doubt) {
+  const float square = sweep[0] * sweep[0] + sweep[1] * sweep[1] + sweep[2] * sweep[2];
+  const V along =
+      (apart.x * sweep[0] + apart.y * sweep[1] + apart.z * sweep[2]) * (square > 0.0f ? 1.0f / square : 0.0f);
+  const Vector<V> beside{apart.x - along * sweep[0], apart.y - along * sweep[1], apart.z - along * sweep[2]};
+  V reach = doubt * (magnitude(beside.x) + magnitude(beside.y) + magnitude(beside.z));
+  // `beside` is square to the sweep only up to rounding.
+  reach += magnitude(beside.x * sweep[0] + beside.y * sweep[1] + beside.z * sweep[2]);
+  for (int k = 0; k < 3; ++k) reach += halves[k] * magnitude(dot(axes[k], beside));
+  for (int i = 0; i < 3; ++i) {
+    const float* q = query.axis[i];
+    reach += query.half[i] * magnitude(beside.x * q[0] + beside.y * q[1] + beside.z * q[2]);
+  }
+  const V length_squared = dot(beside, beside);
+  const V open = larger(magnitude(dot(beside, apart)) - reach, V{});
+  return length_squared > V{} ? open * open / length_squared : V{};
+}
+
+/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it.
+template <bool kSwept, typename V>
+HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, const float* sweep,
+                                    float* squared) {
   Vector<V> axes[3] = {loadVector<V>(node.u[0] + lane, kTreeWidth), loadVector<V>(node.v[0] + lane, kTreeWidth), {}};
   axes[2] = cross(axes[0], axes[1]);
   const Vector<V> middle = loadVector<V>(node.center[0] + lane, kTreeWidth);
   const Vector<V> half = loadVector<V>(node.half[0] + lane, kTreeWidth);
   const Vector<V> apart{middle.x - query.center[0], middle.y - query.center[1], middle.z - query.center[2]};
-  const V doubt = kRoundingOfSums * (magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + half.x + half.y +
-                                     half.z + (query.half[0] + query.half[1] + query.half[2]));
+  V size = magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + half.x + half.y + half.z +
+           (query.half[0] + query.half[1] + query.half[2]);
+  if constexpr (kSwept) size += absolute(sweep[0]) + absolute(sweep[1]) + absolute(sweep[2]);
+  const V doubt = kRoundingOfSums * size;
   const V halves[3] = {half.x, half.y, half.z};
   V reach_of_query[3] = {doubt, doubt, doubt}, by_query{}, by_child{};
   for (int i = 0; i < 3; ++i) {
@@ -115,20 +144,32 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
       reach_of_query[k] += query.half[i] * cosine;
       reach += halves[k] * cosine;
     }
+    if constexpr (kSwept) reach += absolute(sweep[0] * q[0] + sweep[1] * q[1] + sweep[2] * q[2]);
     const V open = larger(magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]) - query.half[i] - reach, V{});
     by_query += open * open;
   }
   for (int k = 0; k < 3; ++k) {
+    if constexpr (kSwept)
+      reach_of_query[k] += magnitude(axes[k].x * sweep[0] + axes[k].y * sweep[1] + axes[k].z * sweep[2]);
     const V open = larger(magnitude(dot(apart, axes[k])) - halves[k] - reach_of_query[k], V{});
     by_child += open * open;
   }
-  store(squared + lane, larger(by_query, by_child));
+  V bound = larger(by_query, by_child);
+  if constexpr (kSwept) bound = larger(bound, besideSweep(axes, halves, apart, query, sweep, doubt));
+  store(squared + lane, bound);
 }
 
 void boxBounds(const BoxNode& node, const QueryBox& query, float* squared) {
   constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
   for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
-    boxBoundsPart<HAPTICELL_BOX_LANES>(node, lane, query, squared);
+    boxBoundsPart<false, HAPTICELL_BOX_LANES>(node, lane, query, nullptr, squared);
+  }
+}
+
+void sweptBoxBounds(const BoxNode& node, const QueryBox& query, const float* sweep, float* squared) {
+  constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    boxBoundsPart<true, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
   }
 }
 
@@ -138,8 +179,9 @@ HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
 }
 
 /// Whether the other triangle is proven to be farther from a face's plane than the limit.
-template <typename V>
-HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* other, V limit_squared) {
+template <bool kSwept, typename V>
+HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* other, V limit_squared,
+                                     const Vector<V>& sweep) {
   const Vector<V> e = face[1] - face[0], g = face[2] - face[0];
   const Vector<V> normal = cross(e, g);
   const Vector<V> o0 = other[0] - face[0], o1 = other[1] - face[0], o2 = other[2] - face[0];
@@ -149,22 +191,32 @@ HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* oth
   // The normal is a valid axis, but n . o has a rounding error of a few units in the last place of |e| |g| |o|. Sums of
   // magnitudes are used instead of the lengths.
   const V edge = sumOfMagnitudes(e), side = sumOfMagnitudes(g);
-  const V reach = larger(larger(sumOfMagnitudes(o0), sumOfMagnitudes(o1)), larger(sumOfMagnitudes(o2), edge + side));
-  const V sure = gap - kRoundingOfSums * edge * side * reach;
+  V reach = larger(larger(sumOfMagnitudes(o0), sumOfMagnitudes(o1)), larger(sumOfMagnitudes(o2), edge + side));
+  V taken{};
+  if constexpr (kSwept) {
+    taken = magnitude(dot(normal, sweep));
+    reach += sumOfMagnitudes(sweep);
+  }
+  const V sure = gap - taken - kRoundingOfSums * edge * side * reach;
   return (sure > V{}) & (sure * sure > limit_squared * dot(normal, normal));
 }
 
-/// The same along the line between their middles: separates triangles that lie next to each other.
-template <typename V>
-HAPTICELL_INLINE auto isApartAlongMiddles(const Vector<V>* first, const Vector<V>* second, V limit_squared) {
-  const Vector<V> axis = (second[0] + second[1] + second[2]) - (first[0] + first[1] + first[2]);
+/// The same along a line.
+template <bool kSwept, typename V>
+HAPTICELL_INLINE auto isApartAlong(const Vector<V>& axis, const Vector<V>* first, const Vector<V>* second,
+                                   V limit_squared, const Vector<V>& sweep) {
   const V a0 = dot(axis, first[0]), a1 = dot(axis, first[1]), a2 = dot(axis, first[2]);
   const V b0 = dot(axis, second[0]), b1 = dot(axis, second[1]), b2 = dot(axis, second[2]);
-  const V reach = larger(larger(sumOfMagnitudes(first[0]), sumOfMagnitudes(first[1])),
-                         larger(larger(sumOfMagnitudes(first[2]), sumOfMagnitudes(second[0])),
-                                larger(sumOfMagnitudes(second[1]), sumOfMagnitudes(second[2]))));
+  V reach = larger(larger(sumOfMagnitudes(first[0]), sumOfMagnitudes(first[1])),
+                   larger(larger(sumOfMagnitudes(first[2]), sumOfMagnitudes(second[0])),
+                          larger(sumOfMagnitudes(second[1]), sumOfMagnitudes(second[2]))));
+  V taken{};
+  if constexpr (kSwept) {
+    taken = magnitude(dot(axis, sweep));
+    reach += sumOfMagnitudes(sweep);
+  }
   const V gap = smaller(smaller(b0, b1), b2) - larger(larger(a0, a1), a2);
-  const V sure = gap - kRoundingOfSums * sumOfMagnitudes(axis) * reach;
+  const V sure = gap - taken - kRoundingOfSums * sumOfMagnitudes(axis) * reach;
   return (sure > V{}) & (sure * sure > limit_squared * dot(axis, axis));
 }
 
@@ -187,18 +239,30 @@ HAPTICELL_INLINE Float8 spread(Float4 b) {
   return __builtin_shufflevector(b, b, kFirst, kFirst, kFirst, kFirst, kFirst + 1, kFirst + 1, kFirst + 1, kFirst + 1);
 }
 
-template <int kFirst>
-HAPTICELL_INLINE std::uint32_t leafPairsOfTwo(const Vector<Float8>* first, const Float4 (*b)[3], float limit_squared) {
+template <bool kSwept, int kFirst>
+HAPTICELL_INLINE std::uint32_t leafPairsOfTwo(const Vector<Float8>* first, const Float4 (*b)[3], float limit_squared,
+                                              const float* swept) {
   Vector<Float8> second[3];
   for (int c = 0; c < 3; ++c) second[c] = {spread<kFirst>(b[c][0]), spread<kFirst>(b[c][1]), spread<kFirst>(b[c][2])};
   const Float8 limit = all<Float8>(limit_squared);
-  const auto apart = isApartByPlane(first, second, limit) | isApartByPlane(second, first, limit) |
-                     isApartAlongMiddles(first, second, limit);
+  Vector<Float8> sweep{};
+  if constexpr (kSwept) sweep = {all<Float8>(swept[0]), all<Float8>(swept[1]), all<Float8>(swept[2])};
+  // Along the line between their middles are separated those that lie next to each other,
+  const Vector<Float8> middles = (second[0] + second[1] + second[2]) - (first[0] + first[1] + first[2]);
+  auto apart = isApartByPlane<kSwept>(first, second, limit, sweep) |
+               isApartByPlane<kSwept>(second, first, limit, sweep) |
+               isApartAlong<kSwept>(middles, first, second, limit, sweep);
+  if constexpr (kSwept) {  // and square to the sweep those that pass beside each other.
+    const Float8 square = dot(sweep, sweep);
+    const Float8 share = square > Float8{} ? dot(middles, sweep) / square : Float8{};
+    apart |= isApartAlong<kSwept>(middles - share * sweep, first, second, limit, sweep);
+  }
   return ~bitsOf(apart) & 0xFFu;
 }
 
-std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform, float limit_squared,
-                        float (*corners_b)[kLeafSize]) {
+template <bool kSwept>
+HAPTICELL_INLINE std::uint32_t pairsOfLeaves(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
+                                             float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]) {
   Vector<Float8> first[3];
   Float4 second[3][3];
   for (int c = 0; c < 3; ++c) {
@@ -212,10 +276,20 @@ std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransf
     }
   }
   const std::uint32_t used = b.count > 2 ? 0xFFFFu : 0xFFu;
-  std::uint32_t near = leafPairsOfTwo<0>(first, second, limit_squared);
-  if (b.count > 2) near |= leafPairsOfTwo<2>(first, second, limit_squared) << 8;
+  std::uint32_t near = leafPairsOfTwo<kSwept, 0>(first, second, limit_squared, sweep);
+  if (b.count > 2) near |= leafPairsOfTwo<kSwept, 2>(first, second, limit_squared, sweep) << 8;
   const std::uint32_t lanes_a = (1u << a.count) - 1u, lanes_b = (1u << (4 * b.count)) - 1u;
   return near & used & lanes_b & (lanes_a * 0x1111u);
+}
+
+std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform, float limit_squared,
+                        float (*corners_b)[kLeafSize]) {
+  return pairsOfLeaves<false>(a, b, transform, limit_squared, nullptr, corners_b);
+}
+
+std::uint32_t sweptLeafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
+                             float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]) {
+  return pairsOfLeaves<true>(a, b, transform, limit_squared, sweep, corners_b);
 }
 
 /// A triangle and the values that its pairs share.
@@ -382,7 +456,7 @@ std::uint32_t nearBoxes(const PartBoxes& boxes, const QueryBounds& query) {
 }  // namespace
 
 extern const ProximityKernels HAPTICELL_KERNELS;
-const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds,      leafPairs,
-                                         packedDistances,        exactDistances, nearBoxes};
+const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds, leafPairs,      packedDistances,
+                                         exactDistances,         nearBoxes, sweptBoxBounds, sweptLeafPairs};
 
 }  // namespace hapticell::collision

@@ -17,14 +17,6 @@ constexpr double kFastest = 10.0;                              // m/s of an obst
 /// ProxyMover.SlidesOverAFlushSeamAndStopsAtAStep, twice passes.
 constexpr double kOn = 1e-6;
 
-/// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
-/// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
-Vector6 inMetric(const Vector6& gradient, const dvec3& theta) {
-  const dvec3 g = angularPart(gradient);
-  const dvec3 once = glm::cross(theta, g);
-  return joined(linearPart(gradient), (g + 0.5 * once + glm::cross(theta, once) / 12.0) / kRotationLever);
-}
-
 }  // namespace
 
 void GroupedSet::take(const ConstraintSet& wanted) {
@@ -39,6 +31,7 @@ void GroupedSet::take(const ConstraintSet& wanted) {
     dvec3& velocity = set.constraints[i].velocity_D;
     velocity = glm::clamp(velocity, dvec3(-kFastest), dvec3(kFastest));
   }
+  arrays.take(set);
   groups = 0;
   std::array<std::uint32_t, kMaxConstraints> group{};
   for (std::size_t i = 0; i < set.count; ++i) {
@@ -78,10 +71,12 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
   touched_count_ = 0;
+  EntryRows made;
+  makeRows(grouped.arrays, xi, grouped.age, made);
   for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
   for (std::size_t i = 0; i < grouped.set.count; ++i) {
-    if (grouped.set.constraints[i].kind == ConstraintKind::kPull) continue;
-    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi));
+    if (grouped.set.constraints[i].kind == ConstraintKind::kPull || made.length[i] < kLeastSlope) continue;
+    offer(grouped.row_of[i], i, grouped.set.constraints[i], made);
   }
   countTied();
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
@@ -91,33 +86,17 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
 }
 
-void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
-  const dvec3 theta = angularPart(xi);
-  Vector6 gradient{};
-  double value = evaluateWithGradient(constraint, xi, gradient);
-  gradient = inMetric(gradient, theta);
-  double length = lengthOf(gradient);
-  if (length < 1e-9) return;
-  double slack = value / length;
+void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const EntryRows& made) {
+  const double slack = made.slack[index];
   const bool equality = constraint.kind == ConstraintKind::kEquality;
-  if (constraint.has_trim && !equality) {
-    double trim = constraint.trim_gap;
-    for (std::size_t i = 0; i < 6; ++i) trim += constraint.trim_gradient[i] * xi[i];
-    const Vector6 trim_gradient = inMetric(constraint.trim_gradient, theta);
-    const double trim_length = lengthOf(trim_gradient);
-    if (trim_length > 1e-9 && trim / trim_length < slack) {
-      gradient = trim_gradient;
-      length = trim_length;
-      slack = trim / trim_length;
-    }
-  }
   const bool is_on = std::abs(slack) <= kOn && !constraint.has_trim && !equality;
-  if (slack <= row[slot].slack && !is_on) return;
-  SolverRow made{{}, slack, equality};
-  for (std::size_t i = 0; i < 6; ++i) made.normal[i] = gradient[i] / length;
-  if (is_on) touched_[touched_count_++] = {made, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(index)};
-  if (slack <= row[slot].slack) return;
-  row[slot] = made;
+  const bool is_freest = slack > row[slot].slack;
+  if (!is_freest && !is_on) return;
+  SolverRow offered{{}, slack, equality};
+  for (std::size_t i = 0; i < 6; ++i) offered.normal[i] = made.normal[i][index];
+  if (is_on) touched_[touched_count_++] = {offered, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(index)};
+  if (!is_freest) return;
+  row[slot] = offered;
   entry[slot] = static_cast<std::uint8_t>(index);
 }
 

@@ -8,6 +8,7 @@
 
 #include "haptic/rendering/active_set_solver.h"
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/entry_rows.h"
 
 namespace hapticell::haptic {
 
@@ -16,7 +17,8 @@ struct GroupedSet {
   ConstraintSet set;
   std::array<std::uint8_t, kMaxConstraints> row_of{};
   std::size_t groups = 0;
-  double age = 0.0;  ///< s since the set was made; its moving obstacles have moved for this time.
+  double age = 0.0;    ///< s since the set was made; its moving obstacles have moved for this time.
+  EntryArrays arrays;  ///< Of the set's entries.
 
   /// Copies a well-formed set (only its used entries) and numbers its groups.
   void take(const ConstraintSet& wanted);
@@ -52,7 +54,7 @@ struct ProxyRows {
   void settle(const Vector6& wanted);
 
  private:
-  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi);
+  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const EntryRows& made);
   void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
   void countTied();
 

@@ -43,6 +43,23 @@ float asFloat(double x) {
   return static_cast<float>(x);
 }
 
+/// The distance of two boxes: of their surfaces' triangles; 0 where one is inside the other.
+double leastBetween(const OrientedBox& a, const OrientedBox& b) {
+  const geometry::TriangleMesh unit = test::boxMesh({2.0, 2.0, 2.0});
+  const auto corner = [&unit](const OrientedBox& box, std::size_t triangle, std::size_t c) {
+    return box.center + box.R * (box.half * unit.corner(static_cast<std::uint32_t>(triangle), c));
+  };
+  if (lowerBoundSquared(a, b.center) == 0.0 || lowerBoundSquared(b, a.center) == 0.0) return 0.0;
+  double least = 1e9;
+  for (std::size_t i = 0; i < unit.triangles.size(); ++i) {
+    const Corners first{corner(a, i, 0), corner(a, i, 1), corner(a, i, 2)};
+    for (std::size_t k = 0; k < unit.triangles.size(); ++k) {
+      least = std::min(least, triangleDistance(first, {corner(b, k, 0), corner(b, k, 1), corner(b, k, 2)}).squared);
+    }
+  }
+  return std::sqrt(least);
+}
+
 TEST_P(ProximityKernels, PackedDistancesAreWithinTheirDoubt) {
   double worst_doubt = 0.0;
   for (int round = 0; round < 2000; ++round) {
@@ -117,11 +134,23 @@ TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
       EXPECT_LE(std::sqrt(double{squared[lane]}), expected + 1e-12);
       EXPECT_GE(std::sqrt(double{squared[lane]}), expected - 2e-5);
     }
+    const dvec3 sweep = anywhere(0.5);
+    const float sweep_F[3] = {asFloat(sweep.x), asFloat(sweep.y), asFloat(sweep.z)};
+    kernels_->sweptBoxBounds(node, query, sweep_F, squared);
+    for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      double least = 1e9;
+      for (int k = -4; k <= 4; ++k) {
+        OrientedBox there = other;
+        there.center += k / 4.0 * sweep;
+        least = std::min(least, leastBetween(tree.box(index * kTreeWidth + lane), there));
+      }
+      EXPECT_LE(std::sqrt(double{squared[lane]}), least + 1e-5);
+    }
   }
 }
 
 TEST_P(ProximityKernels, PlanesOnlyPassOverPairsThatAreFarther) {
-  int passed_over = 0, kept = 0;
+  int passed_over = 0, kept = 0, swept_apart = 0;
   for (int round = 0; round < 3000; ++round) {
     LeafBlock leaves[2] = {};
     Corners corners[2][kLeafSize];
@@ -158,8 +187,23 @@ TEST_P(ProximityKernels, PlanesOnlyPassOverPairsThatAreFarther) {
         EXPECT_GT(distance, limit - 1e-6);
       }
     }
+    const dvec3 sweep = anywhere(0.1);
+    const float sweep_F[3] = {asFloat(sweep.x), asFloat(sweep.y), asFloat(sweep.z)};
+    const std::uint32_t met =
+        kernels_->sweptLeafPairs(leaves[0], leaves[1], transform, asFloat(limit * limit), sweep_F, moved);
+    for (std::uint32_t bit = 0; bit < 16; ++bit) {
+      const std::uint32_t i = bit % 4, j = bit / 4;
+      if (i >= leaves[0].count || j >= leaves[1].count || (met >> bit & 1u) != 0) continue;
+      for (int k = -10; k <= 10; ++k) {
+        Corners b = corners[1][j];
+        for (dvec3& corner : b) corner = X * corner + k / 10.0 * sweep;
+        EXPECT_GT(std::sqrt(triangleDistance(corners[0][i], b).squared), limit - 1e-6);
+      }
+      ++swept_apart;
+    }
   }
   EXPECT_GT(passed_over, 1000);
+  EXPECT_GT(swept_apart, 500);
   EXPECT_GT(kept, 1000);
 }
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/entry_rows.h"
+
+#include <algorithm>
+
+#include "haptic/rendering/entry_rows_body.h"
+
+namespace hapticell::haptic {
+
+#ifdef HAPTICELL_X86_KERNELS
+void rowsByAvx2(const EntryArrays& entries, const double* xi, double age, EntryRows& rows);
+#endif
+
+namespace {
+
+using MakeRows = void (*)(const EntryArrays&, const double*, double, EntryRows&);
+
+MakeRows widest() {
+#ifdef HAPTICELL_X86_KERNELS
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) return rowsByAvx2;
+#endif
+  return rowsOfAll;
+}
+
+const MakeRows make_rows = widest();
+
+}  // namespace
+
+void EntryArrays::take(const ConstraintSet& set) {
+  count = std::min(kMaxConstraints, (set.count + kLanes - 1) / kLanes * kLanes);
+  constexpr Constraint kNone{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Constraint& c = i < set.count ? set.constraints[i] : kNone;
+    gap[i] = c.gap;
+    for (std::size_t k = 0; k < 6; ++k) gradient[k][i] = c.gradient[k];
+    for (std::size_t k = 0; k < 21; ++k) curvature[k][i] = c.curvature[k];
+    velocity[0][i] = c.velocity_D.x;
+    velocity[1][i] = c.velocity_D.y;
+    velocity[2][i] = c.velocity_D.z;
+    const bool is_trimmed = c.has_trim && c.kind != ConstraintKind::kEquality;
+    trim_gap[i] = is_trimmed ? c.trim_gap : 0.0;
+    for (std::size_t k = 0; k < 6; ++k) trim_gradient[k][i] = is_trimmed ? c.trim_gradient[k] : 0.0;
+  }
+}
+
+void makeRows(const EntryArrays& entries, const Vector6& xi, double age, EntryRows& rows) noexcept {
+  make_rows(entries, xi.data(), age, rows);
+}
+
+void makeRowsPortably(const EntryArrays& entries, const Vector6& xi, double age, EntryRows& rows) noexcept {
+  rowsOfAll(entries, xi.data(), age, rows);
+}
+
+}  // namespace hapticell::haptic

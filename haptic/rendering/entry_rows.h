@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "haptic/rendering/constraint_set.h"
+
+namespace hapticell::haptic {
+
+/// What the rows of a set's entries are made from, number by number for all entries: one vector instruction takes the
+/// same number of several entries. Filled by GroupedSet::take().
+struct EntryArrays {
+  alignas(64) double gap[kMaxConstraints];
+  double gradient[6][kMaxConstraints];
+  double curvature[21][kMaxConstraints];
+  double velocity[3][kMaxConstraints];
+  double trim_gap[kMaxConstraints];  ///< An entry without a trim has one that is zero everywhere.
+  double trim_gradient[6][kMaxConstraints];
+  std::size_t count = 0;  ///< Of entries, up to the next multiple of a vector's lanes; those beyond the set's are zero.
+
+  void take(const ConstraintSet& set);
+};
+
+/// The half-spaces of all entries around one pose: their normals in the proxy's metric and their slacks, m.
+struct EntryRows {
+  alignas(64) double normal[6][kMaxConstraints];
+  double slack[kMaxConstraints];
+  double length[kMaxConstraints];  ///< Of the gradient in the metric; below kLeastSlope the entry has no row.
+};
+
+/// Of a gradient that has no direction to be felt in. Half and twice pass the tests of this folder.
+inline constexpr double kLeastSlope = 1e-9;
+
+/// The rows at the displacement `xi` from the set's reference pose, `age` seconds after the set was made, by the widest
+/// vector instructions of this processor; the same to the last bit on all of them. Never allocates; for the force loop.
+void makeRows(const EntryArrays& entries, const Vector6& xi, double age, EntryRows& rows) noexcept;
+
+/// The same by what every processor has; for tests.
+void makeRowsPortably(const EntryArrays& entries, const Vector6& xi, double age, EntryRows& rows) noexcept;
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/entry_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "haptic/rendering/proxy_metric.h"
+
+namespace hapticell::haptic {
+namespace {
+
+class Entries {
+ public:
+  explicit Entries(unsigned seed) : random_(seed) {
+    set.count = 1 + seed % kMaxConstraints;
+    for (std::size_t i = 0; i < set.count; ++i) {
+      Constraint& c = set.constraints[i];
+      c.gap = 0.01 * unit();
+      for (double& x : c.gradient) x = i % 13 == 12 ? 0.0 : unit();
+      for (double& x : c.curvature) x = i % 3 == 0 ? 0.0 : 20.0 * unit();
+      if (i % 13 == 12) c.curvature = {};
+      c.has_trim = i % 4 == 1;
+      c.trim_gap = 0.01 * unit();
+      for (double& x : c.trim_gradient) x = i % 8 == 5 ? 0.0 : unit();
+      c.velocity_D = 0.1 * dvec3(unit(), unit(), unit());
+      if (i % 7 == 3) c.kind = ConstraintKind::kEquality;
+    }
+    for (std::size_t i = 0; i < 6; ++i) xi[i] = (i < 3 ? 0.05 : 0.5) * unit();
+  }
+  double unit() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+
+  ConstraintSet set;
+  Vector6 xi{};
+  double age = 0.02;
+
+ private:
+  std::mt19937 random_;
+};
+
+/// One gradient in the metric, by vectors.
+Vector6 inMetric(const Vector6& gradient, const dvec3& theta) {
+  const dvec3 g = angularPart(gradient);
+  const dvec3 once = glm::cross(theta, g);
+  return joined(linearPart(gradient), (g + 0.5 * once + glm::cross(theta, once) / 12.0) / kRotationLever);
+}
+
+TEST(EntryRows, AreThoseOfEachEntryForItself) {
+  const auto arrays = std::make_unique<EntryArrays>();
+  const auto rows = std::make_unique<EntryRows>();
+  int trimmed = 0, flat = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Entries entries(seed);
+    arrays->take(entries.set);
+    makeRows(*arrays, entries.xi, entries.age, *rows);
+    for (std::size_t i = 0; i < entries.set.count; ++i) {
+      const Constraint& c = entries.set.constraints[i];
+      Vector6 xi = entries.xi;
+      for (std::size_t k = 0; k < 3; ++k) xi[k] -= entries.age * c.velocity_D[static_cast<int>(k)];
+      Vector6 gradient{};
+      double value = evaluateWithGradient(c, xi, gradient);
+      gradient = inMetric(gradient, angularPart(xi));
+      double length = lengthOf(gradient);
+      ASSERT_NEAR(rows->length[i], length, 1e-12 * length);
+      if (length < kLeastSlope) {
+        ++flat;
+        continue;
+      }
+      double trim = c.trim_gap;
+      for (std::size_t k = 0; k < 6; ++k) trim += c.trim_gradient[k] * xi[k];
+      const Vector6 trim_gradient = inMetric(c.trim_gradient, angularPart(xi));
+      const double trim_length = lengthOf(trim_gradient);
+      const bool can_trim = c.has_trim && c.kind != ConstraintKind::kEquality && trim_length > kLeastSlope;
+      if (can_trim && trim / trim_length < value / length) {
+        ++trimmed;
+        gradient = trim_gradient;
+        length = trim_length;
+        value = trim;
+      }
+      ASSERT_NEAR(rows->slack[i], value / length, 1e-12);
+      for (std::size_t k = 0; k < 6; ++k) ASSERT_NEAR(rows->normal[k][i], gradient[k] / length, 1e-12) << i << " " << k;
+    }
+  }
+  EXPECT_GT(trimmed, 100);
+  EXPECT_GT(flat, 100);
+}
+
+TEST(EntryRows, AreTheSameToTheLastBitWithoutWideInstructions) {
+  const auto arrays = std::make_unique<EntryArrays>();
+  const auto wide = std::make_unique<EntryRows>(), plain = std::make_unique<EntryRows>();
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Entries entries(seed);
+    arrays->take(entries.set);
+    makeRows(*arrays, entries.xi, entries.age, *wide);
+    makeRowsPortably(*arrays, entries.xi, entries.age, *plain);
+    for (std::size_t i = 0; i < entries.set.count; ++i) {
+      ASSERT_EQ(wide->length[i], plain->length[i]);
+      if (wide->length[i] < kLeastSlope) continue;
+      ASSERT_EQ(wide->slack[i], plain->slack[i]);
+      for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(wide->normal[k][i], plain->normal[k][i]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::haptic
