@@ -307,46 +307,4 @@ std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std
   return found;
 }
 
-SceneStop Scene::stopOnce(double clearance, double until) {
-  SceneStop stop;
-  stop.s = until;
-  const double least = std::max(clearance, kLeastClearance);
-  for (const Candidate& candidate : candidates_) {
-    ScenePairs::Pair& pair = pairs_[candidate.pair];
-    Mover moved = moverOf(pair.moved), met = moverOf(pair.environment);
-    const double reach = (moved.motion().path_bound + met.motion().path_bound) * stop.s;
-    if (stop.s == 0.0 && !stop.began_colliding && candidate.lower_bound <= kTouchingDistance) {
-      stop.began_colliding = queryOf(pair).collides(moved.motion().at(0.0), met.motion().at(0.0));
-    }
-    if (reach == 0.0 || candidate.lower_bound > reach + least) continue;
-    const MotionStop pair_stop = follow(queryOf(pair), moved, met, candidate.lower_bound, {clearance, stop.s});
-    stop.began_colliding |= pair_stop.began_colliding;
-    if (!pair_stop.stopped || pair_stop.s >= stop.s) continue;
-    stop.s = pair_stop.s;
-    stop.stopped = true;
-    stop.pair = candidate.pair;
-    stop.nearest = pair_stop.nearest;
-  }
-  return stop;
-}
-
-SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
-  prepareMotion(moved, std::max(clearance, kLeastClearance) + kTouchingDistance);
-  SceneStop stop = stopOnce(clearance, 1.0);
-  // Passes by which pairs go back that a stop found later has moved past. Then the motion is given up. Half: in crowds
-  // it stops more often; twice: longer before.
-  constexpr int kMostPasses = 4;
-  bool holds = !stop.stopped;
-  for (int pass = 0; !holds && pass < kMostPasses; ++pass) {
-    SceneStop again = stopOnce(clearance, stop.s);
-    holds = !again.stopped;
-    if (holds) break;
-    again.began_colliding = stop.began_colliding;
-    stop = again;
-  }
-  if (!holds) stop.s = 0.0;
-  for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
-  return stop;
-}
-
 }  // namespace hapticell::collision
