@@ -62,7 +62,7 @@ class FreeSpace {
   /// keep the clearance by less than a tenth of it (at least 0.1 mm) may be called not free; never the reverse.
   bool isFree(const EntityConfiguration& from, const EntityConfiguration& to);
   /// What the last isFree() found in the way; empty after a free answer or a stop.
-  std::optional<Blocker> blocker() const;
+  const std::optional<Blocker>& blocker() const { return blocked_by_; }
 
   /// The least distance (m) of all pairs but the own ones, up to `limit`; 0 in contact.
   double clearanceAt(const EntityConfiguration& at, double limit);
@@ -95,17 +95,19 @@ class FreeSpace {
   struct Plan;
   explicit FreeSpace(std::shared_ptr<const Plan> plan);
   bool ask(bool moves);
+  bool ownPartsTouch();
+  bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
   std::shared_ptr<const Plan> plan_;
-  collision::Scene scene_;                    ///< The moved parts first, then the obstacles; all pairs.
-  std::optional<collision::Scene> measured_;  ///< The same without pairs of two moved parts.
+  collision::Scene scene_;  ///< The moved parts first, then the obstacles; pairs of the two.
+  std::vector<collision::ProximityQuery> own_;  ///< Pairs of two moved parts.
   double clearance_ = 0.0;
   std::vector<double> clearances_;            ///< By tag: the pair's number.
   std::vector<collision::MovedPart> moved_;   ///< Scratch.
   std::vector<Pose> X_WP_;                    ///< Scratch.
-  std::vector<double> bounds_;                ///< Scratch.
-  std::optional<std::uint32_t> blocked_by_;
+  std::vector<double> bounds_, own_bounds_;   ///< Scratch.
+  std::optional<Blocker> blocked_by_;
   const std::atomic<bool>* stop_ = nullptr;
   std::size_t checks_ = 0;
 };
