@@ -31,11 +31,11 @@ struct Blocker {
 /// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
 /// of configurations and of whole motions on the full meshes.
 ///
-/// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks: the
-/// pair rules of the document count, pairs in contact mode *Pass* are left out, and so are pairs that no joint moves
-/// against each other (a base on its table), links that touch at rest, and, of a robot, what touches where it stands now
-/// (a first link on the table), as `ik --collision-free` does; note() names them. Links against each other need
-/// only not touch.
+/// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks; the
+/// pair rules of the document count. Links against each other need only not touch. Left out are: pairs in contact mode
+/// *Pass*, pairs that no joint moves against each other (a base on its table), and links that touch at rest. For a
+/// robot, so is what it touches where it stands now (a first link on the table), as for `ik --collision-free`; note()
+/// names it.
 ///
 /// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
 /// was asked before.
