@@ -338,7 +338,7 @@ class OneSearch {
   std::vector<EntityConfiguration> path_;
 };
 
-/// Chosen by bench/planning_bench: short steps for crowds, long ones for open space. Half the ranges: more checks in
+/// Our choice, still to be measured by `planning_bench kinds`: short steps for crowds, long ones for open space. Half the ranges: more checks in
 /// open space; twice: more motions that end in something.
 std::vector<SearchKind> shippedKinds() {
   using Method = SearchKind::Method;
