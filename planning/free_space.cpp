@@ -54,8 +54,9 @@ Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model,
                                                      const config::Configuration& configuration) {
   std::vector<manipulation::Taking::Part> parts;
   for (const MovedPart& part : model.parts()) parts.push_back({part.link, part.X_LP});
-  const manipulation::Taking taking{model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
-                                    *model.scene(), configuration, parts};
+  const manipulation::Taking taking{
+      model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
+      *model.scene(), configuration, parts};
   return makeManipulator(taking, manipulation::manipulatorKinds());
 }
 
@@ -265,7 +266,9 @@ bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfi
     collision::PartMotion met;
     met.path_bound = way;
     met.bend_bound = std::numeric_limits<double>::infinity();
-    met.along = [&](double s) { return X_WA0 * (motion.poseOf(pair.part, s).inverse() * motion.poseOf(pair.other, s)); };
+    met.along = [&](double s) {
+      return X_WA0 * (motion.poseOf(pair.part, s).inverse() * motion.poseOf(pair.other, s));
+    };
     const auto stop = collision::advance(own_[i], collision::standingStill(X_WA0), met, {0.0, 1.0});
     if (!stop.stopped && !stop.began_colliding) continue;
     blocked_by_ = pair.words;
@@ -306,8 +309,7 @@ std::optional<Blocker> FreeSpace::nearestAt(const EntityConfiguration& at, doubl
   return nearest ? std::optional(plan_->pairs[scene_.tag(nearest->pair)].words) : std::nullopt;
 }
 
-EntityConfiguration FreeSpace::between(const EntityConfiguration& from, const EntityConfiguration& to,
-                                       double s) const {
+EntityConfiguration FreeSpace::between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const {
   return plan_->manipulator->between(from, to, s);
 }
 

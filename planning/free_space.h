@@ -22,10 +22,10 @@ using manipulation::EntityConfiguration;
 
 /// Two parts that come nearer than they may.
 struct Blocker {
-  std::string moved;          ///< "robot/link_4", or "bolt" for a solid.
-  std::string met;            ///< "fixture", or the own link.
+  std::string moved;             ///< "robot/link_4", or "bolt" for a solid.
+  std::string met;               ///< "fixture", or the own link.
   workcell::EntityId other = 0;  ///< The entity of `met`; the moved one itself if it meets its own parts.
-  Text text() const;          ///< "robot/link_4 would touch fixture"
+  Text text() const;             ///< "robot/link_4 would touch fixture"
 };
 
 /// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
@@ -43,8 +43,8 @@ class FreeSpace {
  public:
   /// Everything else stays where it is in the scene, or in `placements`. Errors: no such entity; one that is neither a
   /// solid nor has joints; a mannequin (not supported). A locked entity may be checked.
-  static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene,
-                                    workcell::EntityId entity, const config::Configuration& configuration,
+  static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId entity,
+                                    const config::Configuration& configuration,
                                     const manipulation::Placements& placements = {});
   /// The same space and clearance for another thread, without any answers known.
   FreeSpace fresh() const;
@@ -100,13 +100,13 @@ class FreeSpace {
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
   std::shared_ptr<const Plan> plan_;
-  collision::Scene scene_;  ///< The moved parts first, then the obstacles; pairs of the two.
+  collision::Scene scene_;                      ///< The moved parts first, then the obstacles; pairs of the two.
   std::vector<collision::ProximityQuery> own_;  ///< Pairs of two moved parts.
   double clearance_ = 0.0;
-  std::vector<double> clearances_;            ///< By tag: the pair's number.
-  std::vector<collision::MovedPart> moved_;   ///< Scratch.
-  std::vector<Pose> X_WP_;                    ///< Scratch.
-  std::vector<double> bounds_, own_bounds_;   ///< Scratch.
+  std::vector<double> clearances_;           ///< By tag: the pair's number.
+  std::vector<collision::MovedPart> moved_;  ///< Scratch.
+  std::vector<Pose> X_WP_;                   ///< Scratch.
+  std::vector<double> bounds_, own_bounds_;  ///< Scratch.
   std::optional<Blocker> blocked_by_;
   const std::atomic<bool>* stop_ = nullptr;
   std::size_t checks_ = 0;
