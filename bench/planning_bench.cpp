@@ -91,7 +91,9 @@ std::vector<std::pair<Angles, Angles>> makeProblems(planning::FreeSpace space, s
 
 void row(const std::string& name, std::vector<double> times, std::size_t solved, const std::string& note) {
   std::sort(times.begin(), times.end());
-  const auto at = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
+  const auto at = [&](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+  };
   std::printf("| %s | %zu of %zu | %.1f / %.1f / %.1f | %s |\n", name.c_str(), solved, times.size(), 1e3 * at(0.5),
               1e3 * at(0.99), 1e3 * times.back(), note.c_str());
   std::fflush(stdout);
@@ -130,10 +132,12 @@ void measurePlans(const Cell& cell, const planning::FreeSpace& space,
     }
   }
   std::remove(file.c_str());
-  const std::string kept_words =
-      written ? std::to_string(kept) + " written motions keep 5 mm and all else, least " + std::to_string(1e3 * least) + " mm; " : "";
+  const std::string kept_words = written ? std::to_string(kept) + " written motions keep 5 mm and all else, least " +
+                                               std::to_string(1e3 * least) + " mm; "
+                                         : "";
   row("HaptiCell: searched, shortened, smoothed", times, solved,
-      kept_words + std::to_string(straight) + " straight; " + std::to_string(checks / std::max<std::size_t>(1, solved)) + " checks each");
+      kept_words + std::to_string(straight) + " straight; " +
+          std::to_string(checks / std::max<std::size_t>(1, solved)) + " checks each");
 }
 
 /// Each kind of search alone, one thread, without shortening.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision/queries/proximity_query.h"
 #include "geometry/system/assertion.h"
@@ -28,8 +29,22 @@ constexpr double kRestTouching = 1e-6;
 struct CheckedPair {
   std::uint32_t part = 0, other = 0;
   bool own = false;
-  Blocker words;
+  std::vector<std::size_t> joints = {};  ///< Of an own pair: those that move the two against each other.
+  Blocker words = {};
 };
+
+/// The variables that move one of the two links, but not both.
+std::vector<std::size_t> jointsBetween(const kinematics::RobotModel& model, int first, int second) {
+  std::vector<std::size_t> joints;
+  const auto of_first = kinematics::variablesOfChain(model, std::max(0, first));
+  const auto of_second = kinematics::variablesOfChain(model, std::max(0, second));
+  for (int v = 0; v < static_cast<int>(model.dof()); ++v) {
+    const bool moves_first = std::find(of_first.begin(), of_first.end(), v) != of_first.end();
+    const bool moves_second = std::find(of_second.begin(), of_second.end(), v) != of_second.end();
+    if (model.closure != nullptr || moves_first != moves_second) joints.push_back(static_cast<std::size_t>(v));
+  }
+  return joints;
+}
 
 bool movesWithJoints(const kinematics::RobotModel& model, int link) {
   return model.closure != nullptr || !kinematics::variablesOfChain(model, std::max(0, link)).empty();
@@ -39,8 +54,9 @@ Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model,
                                                      const config::Configuration& configuration) {
   std::vector<manipulation::Taking::Part> parts;
   for (const MovedPart& part : model.parts()) parts.push_back({part.link, part.X_LP});
-  const manipulation::Taking taking{model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
-                                    *model.scene(), configuration, parts};
+  const manipulation::Taking taking{
+      model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
+      *model.scene(), configuration, parts};
   return makeManipulator(taking, manipulation::manipulatorKinds());
 }
 
@@ -80,7 +96,7 @@ struct FreeSpace::Plan {
 
   HeldModel model;
   std::unique_ptr<Manipulator> manipulator;
-  std::vector<CheckedPair> pairs;
+  std::vector<CheckedPair> pairs, own_pairs;
   std::vector<std::shared_ptr<const collision::MeshCollider>> obstacles;
   std::vector<Pose> X_WO;
   std::vector<manipulation::PartSphere> spheres;
@@ -109,7 +125,8 @@ void FreeSpace::Plan::addPairs(const HeldPairs& held) {
     const manipulation::ScenePart& met =
         pair.own ? *model.parts()[pair.other].part : *held.obstacleParts()[motion.obstacle];
     pair.words = {model.nameOf(*moved.part), model.nameOf(met), pair.own ? model.id() : met.entity};
-    pairs.push_back(std::move(pair));
+    if (pair.own && robot != nullptr) pair.joints = jointsBetween(*robot, moved.link, model.parts()[pair.other].link);
+    (pair.own ? own_pairs : pairs).push_back(std::move(pair));
   }
 }
 
@@ -133,7 +150,6 @@ void FreeSpace::Plan::leaveOutTouching() {
   manipulator->partPoses(present, X_WP);
   std::string names;
   std::erase_if(pairs, [&](const CheckedPair& pair) {
-    if (pair.own) return false;
     const std::size_t obstacle = pair.other - model.parts().size();
     const auto distance = collision::distance(model.parts()[pair.part].part->mesh.collider, X_WP[pair.part],
                                               obstacles[obstacle], X_WO[obstacle], kRestTouching);
@@ -179,6 +195,9 @@ FreeSpace::FreeSpace(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)) 
   for (std::size_t i = 0; i < plan_->pairs.size(); ++i) {
     scene_.addPair(plan_->pairs[i].part, plan_->pairs[i].other, static_cast<std::uint32_t>(i));
   }
+  for (const CheckedPair& pair : plan_->own_pairs) {
+    own_.emplace_back(moved[pair.part].part->mesh.collider, moved[pair.other].part->mesh.collider);
+  }
   clearances_.assign(plan_->pairs.size(), 0.0);
   moved_.resize(moved.size());
   X_WP_.resize(moved.size());
@@ -196,13 +215,13 @@ FreeSpace FreeSpace::fresh() const {
 void FreeSpace::setClearance(double clearance) {
   HAPTICELL_DEMAND(clearance >= 0.0);
   clearance_ = clearance;
-  for (std::size_t i = 0; i < clearances_.size(); ++i) clearances_[i] = plan_->pairs[i].own ? 0.0 : clearance;
+  clearances_.assign(clearances_.size(), clearance);
 }
 
 bool FreeSpace::ask(bool moves) {
   ++checks_;
   const auto found = scene_.findNearer(moved_, clearances_, !moves);
-  if (found) blocked_by_ = scene_.tag(*found);
+  if (found) blocked_by_ = plan_->pairs[scene_.tag(*found)].words;
   return !found;
 }
 
@@ -211,7 +230,51 @@ bool FreeSpace::isFree(const EntityConfiguration& at) {
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
   plan_->manipulator->partPoses(at, X_WP_);
   for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
-  return ask(false);
+  return ask(false) && !ownPartsTouch();
+}
+
+/// At X_WP_.
+bool FreeSpace::ownPartsTouch() {
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const CheckedPair& pair = plan_->own_pairs[i];
+    if (!own_[i].within(X_WP_[pair.part], X_WP_[pair.other], collision::kLeastClearance)) continue;
+    blocked_by_ = pair.words;
+    return true;
+  }
+  return false;
+}
+
+/// What moves both brings them no nearer: only the joints between them count.
+bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to) {
+  const Manipulator& manipulator = *plan_->manipulator;
+  manipulator.partPoses(manipulator.between(from, to, 0.5), X_WP_);
+  own_bounds_.resize(bounds_.size());
+  PlannedMotion motion{manipulator, from, to};
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const CheckedPair& pair = plan_->own_pairs[i];
+    const Pose &X_WA = X_WP_[pair.part], &X_WB = X_WP_[pair.other];
+    const auto comesNear = [&](double way) {
+      return own_[i].within(X_WA, X_WB, collision::kLeastClearance + 0.5 * way + collision::kRounding);
+    };
+    if (!comesNear(bounds_[pair.part] + bounds_[pair.other])) continue;
+    EntityConfiguration apart = from;
+    for (const std::size_t joint : pair.joints) apart.joints[joint] = to.joints[joint];
+    manipulator.pathBounds(from, apart, plan_->spheres, own_bounds_);
+    const double way = own_bounds_[pair.part] + own_bounds_[pair.other];
+    if (!comesNear(way)) continue;
+    const Pose X_WA0 = motion.poseOf(pair.part, 0.0);
+    collision::PartMotion met;
+    met.path_bound = way;
+    met.bend_bound = std::numeric_limits<double>::infinity();
+    met.along = [&](double s) {
+      return X_WA0 * (motion.poseOf(pair.part, s).inverse() * motion.poseOf(pair.other, s));
+    };
+    const auto stop = collision::advance(own_[i], collision::standingStill(X_WA0), met, {0.0, 1.0});
+    if (!stop.stopped && !stop.began_colliding) continue;
+    blocked_by_ = pair.words;
+    return true;
+  }
+  return false;
 }
 
 bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguration& to) {
@@ -227,23 +290,13 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
     part.bend_bound = 2.0 * turned * bounds_[i];
     part.along = [&motion, i](double s) { return motion.poseOf(i, s); };
   }
-  return ask(true);
-}
-
-std::optional<Blocker> FreeSpace::blocker() const {
-  return blocked_by_ ? std::optional(plan_->pairs[*blocked_by_].words) : std::nullopt;
+  return ask(true) && !ownPartsTouch(from, to);
 }
 
 std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {
-  if (!measured_) {  // Made when it is first needed: searches do without it.
-    measured_.emplace(scene_);
-    for (std::size_t i = 0; i < plan_->pairs.size(); ++i) {
-      if (plan_->pairs[i].own) measured_->setEnabled(static_cast<collision::PairIndex>(i), false);
-    }
-  }
   plan_->manipulator->partPoses(at, X_WP_);
-  for (std::size_t i = 0; i < X_WP_.size(); ++i) measured_->setPose(static_cast<collision::PartIndex>(i), X_WP_[i]);
-  return measured_->nearest(limit);
+  for (std::size_t i = 0; i < X_WP_.size(); ++i) scene_.setPose(static_cast<collision::PartIndex>(i), X_WP_[i]);
+  return scene_.nearest(limit);
 }
 
 double FreeSpace::clearanceAt(const EntityConfiguration& at, double limit) {
@@ -253,11 +306,10 @@ double FreeSpace::clearanceAt(const EntityConfiguration& at, double limit) {
 
 std::optional<Blocker> FreeSpace::nearestAt(const EntityConfiguration& at, double limit) {
   const auto nearest = measure(at, limit);
-  return nearest ? std::optional(plan_->pairs[measured_->tag(nearest->pair)].words) : std::nullopt;
+  return nearest ? std::optional(plan_->pairs[scene_.tag(nearest->pair)].words) : std::nullopt;
 }
 
-EntityConfiguration FreeSpace::between(const EntityConfiguration& from, const EntityConfiguration& to,
-                                       double s) const {
+EntityConfiguration FreeSpace::between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const {
   return plan_->manipulator->between(from, to, s);
 }
 

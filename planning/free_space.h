@@ -22,20 +22,20 @@ using manipulation::EntityConfiguration;
 
 /// Two parts that come nearer than they may.
 struct Blocker {
-  std::string moved;          ///< "robot/link_4", or "bolt" for a solid.
-  std::string met;            ///< "fixture", or the own link.
+  std::string moved;             ///< "robot/link_4", or "bolt" for a solid.
+  std::string met;               ///< "fixture", or the own link.
   workcell::EntityId other = 0;  ///< The entity of `met`; the moved one itself if it meets its own parts.
-  Text text() const;          ///< "robot/link_4 would touch fixture"
+  Text text() const;             ///< "robot/link_4 would touch fixture"
 };
 
 /// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
 /// of configurations and of whole motions on the full meshes.
 ///
-/// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks: the
-/// pair rules of the document count, pairs in contact mode *Pass* are left out, and so are pairs that no joint moves
-/// against each other (a base on its table), links that touch at rest, and, of a robot, what touches where it stands now
-/// (a first link on the table), as `ik --collision-free` does; note() names them. Links against each other need
-/// only not touch.
+/// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks; the
+/// pair rules of the document count. Links against each other need only not touch. Left out are: pairs in contact mode
+/// *Pass*, pairs that no joint moves against each other (a base on its table), and links that touch at rest. For a
+/// robot, so is what it touches where it stands now (a first link on the table), as for `ik --collision-free`; note()
+/// names it.
 ///
 /// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
 /// was asked before.
@@ -43,8 +43,8 @@ class FreeSpace {
  public:
   /// Everything else stays where it is in the scene, or in `placements`. Errors: no such entity; one that is neither a
   /// solid nor has joints; a mannequin (not supported). A locked entity may be checked.
-  static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene,
-                                    workcell::EntityId entity, const config::Configuration& configuration,
+  static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId entity,
+                                    const config::Configuration& configuration,
                                     const manipulation::Placements& placements = {});
   /// The same space and clearance for another thread, without any answers known.
   FreeSpace fresh() const;
@@ -62,7 +62,7 @@ class FreeSpace {
   /// keep the clearance by less than a tenth of it (at least 0.1 mm) may be called not free; never the reverse.
   bool isFree(const EntityConfiguration& from, const EntityConfiguration& to);
   /// What the last isFree() found in the way; empty after a free answer or a stop.
-  std::optional<Blocker> blocker() const;
+  const std::optional<Blocker>& blocker() const { return blocked_by_; }
 
   /// The least distance (m) of all pairs but the own ones, up to `limit`; 0 in contact.
   double clearanceAt(const EntityConfiguration& at, double limit);
@@ -95,17 +95,19 @@ class FreeSpace {
   struct Plan;
   explicit FreeSpace(std::shared_ptr<const Plan> plan);
   bool ask(bool moves);
+  bool ownPartsTouch();
+  bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
   std::shared_ptr<const Plan> plan_;
-  collision::Scene scene_;                    ///< The moved parts first, then the obstacles; all pairs.
-  std::optional<collision::Scene> measured_;  ///< The same without pairs of two moved parts.
+  collision::Scene scene_;                      ///< The moved parts first, then the obstacles; pairs of the two.
+  std::vector<collision::ProximityQuery> own_;  ///< Pairs of two moved parts.
   double clearance_ = 0.0;
-  std::vector<double> clearances_;            ///< By tag: the pair's number.
-  std::vector<collision::MovedPart> moved_;   ///< Scratch.
-  std::vector<Pose> X_WP_;                    ///< Scratch.
-  std::vector<double> bounds_;                ///< Scratch.
-  std::optional<std::uint32_t> blocked_by_;
+  std::vector<double> clearances_;           ///< By tag: the pair's number.
+  std::vector<collision::MovedPart> moved_;  ///< Scratch.
+  std::vector<Pose> X_WP_;                   ///< Scratch.
+  std::vector<double> bounds_, own_bounds_;  ///< Scratch.
+  std::optional<Blocker> blocked_by_;
   const std::atomic<bool>* stop_ = nullptr;
   std::size_t checks_ = 0;
 };

@@ -35,7 +35,8 @@ double unitOf(std::mt19937_64& random) {
 }
 
 Error goalError(const FreeSpace& space, Text found, Text expected) {
-  return {.place = Text("the goal of '%1'", space.entity().name), .found = std::move(found),
+  return {.place = Text("the goal of '%1'", space.entity().name),
+          .found = std::move(found),
           .expected = std::move(expected)};
 }
 
@@ -89,7 +90,8 @@ class GoalFinder {
   }
 
   Expected<GoalStates> toPose(const Pose& X_WT) {
-    if (!X_WT.isValid()) return makeError(goalError(space_, Text("a pose that is not valid"), Text("a position and a unit quaternion")));
+    if (!X_WT.isValid())
+      return makeError(goalError(space_, Text("a pose that is not valid"), Text("a position and a unit quaternion")));
     HAPTICELL_TRY(prepareInverse());
     GoalStates states;
     addFreeAt(X_WT, states.free);
@@ -101,18 +103,21 @@ class GoalFinder {
     const auto& robot = space_.entity().robot();
     if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
     if (joints.size() != robot->dof())
-      return makeError(goalError(space_, Text("%1 joint positions", joints.size()),
-                                 Text("%1 joint positions", robot->dof())));
+      return makeError(
+          goalError(space_, Text("%1 joint positions", joints.size()), Text("%1 joint positions", robot->dof())));
     GoalStates states;
     EntityConfiguration at{start_.X_WE, joints};
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const kinematics::Joint& joint = robot->joints[static_cast<std::size_t>(robot->moving[i])];
-      if (!std::isfinite(joints[i])) return makeError(goalError(space_, Text("a number that is not finite"), Text("numbers")));
+      if (!std::isfinite(joints[i]))
+        return makeError(goalError(space_, Text("a number that is not finite"), Text("numbers")));
       const double inside = std::clamp(joints[i], joint.lower, joint.upper);
       if (std::abs(inside - joints[i]) > kOnLimit) {
         states.failure = Failure{.kind = Failure::Kind::kLimit,
                                  .reason = Text("joint '%1' of the goal is outside its limits", joint.name),
-                                 .blocked_by = {}, .nearest = {}, .X_WT_nearest = {}};
+                                 .blocked_by = {},
+                                 .nearest = {},
+                                 .X_WT_nearest = {}};
         return states;
       }
       at.joints[i] = inside;
@@ -134,7 +139,8 @@ class GoalFinder {
   Expected<GoalStates> toRegion(const goal::ToRegion& region) {
     const bool is_valid = region.X_WT.isValid() && std::isfinite(region.turn) && region.turn >= 0.0 &&
                           glm::all(glm::greaterThanEqual(region.half, dvec3(0.0))) && glm::length(region.half) < 1e6;
-    if (!is_valid) return makeError(goalError(space_, Text("a region that is not valid"), Text("a pose and sizes of 0 or more")));
+    if (!is_valid)
+      return makeError(goalError(space_, Text("a region that is not valid"), Text("a pose and sizes of 0 or more")));
     HAPTICELL_TRY(prepareInverse());
     std::mt19937_64 random(seed_);
     GoalStates states;
@@ -152,7 +158,8 @@ class GoalFinder {
 
   Expected<GoalStates> outOfCell(double margin) {
     if (space_.hasJoints())
-      return makeError(goalError(space_, Text("out of the cell"), Text("a pose or joints, because it is fixed by its base")));
+      return makeError(
+          goalError(space_, Text("out of the cell"), Text("a pose or joints, because it is fixed by its base")));
     if (!(margin >= 0.0) || !std::isfinite(margin))
       return makeError(goalError(space_, Text("a margin that is not valid"), Text("0 or more metres")));
     const geometry::Bounds& box = space_.obstacleBounds();
@@ -202,8 +209,8 @@ class GoalFinder {
     const auto most = std::max_element(blocks_.begin(), blocks_.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most != blocks_.end()) failure.blocked_by = most->first;
-    failure.reason = Text("the goal is not free with a clearance of %1: %2", Text::Length{space_.clearance()},
-                          first_blocker_);
+    failure.reason =
+        Text("the goal is not free with a clearance of %1: %2", Text::Length{space_.clearance()}, first_blocker_);
     for (const double step : kNearestSteps) {
       for (int i = 0; i < 27; ++i) {
         const dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
@@ -245,10 +252,10 @@ Failure startFailure(FreeSpace& space, const EntityConfiguration& start) {
     return failure;
   }
   failure.blocked_by = nearest->met;
-  failure.reason =
-      distance > 0.0 ? Text("at the start %1 is %2 from %3, nearer than the clearance of %4", nearest->moved,
-                            Text::Length{distance}, nearest->met, Text::Length{space.clearance()})
-                     : Text("at the start %1 touches %2", nearest->moved, nearest->met);
+  failure.reason = distance > 0.0
+                       ? Text("at the start %1 is %2 from %3, nearer than the clearance of %4", nearest->moved,
+                              Text::Length{distance}, nearest->met, Text::Length{space.clearance()})
+                       : Text("at the start %1 touches %2", nearest->moved, nearest->met);
   return failure;
 }
 

@@ -38,10 +38,12 @@ Expected<void> checkNumbers(const Problem& problem, const FreeSpace& space) {
   if (!(problem.clearance >= 0.0) || !(problem.clearance <= 10.0))
     return makeError({.place = place, .found = "a clearance that is not valid", .expected = "0 to 10 metres"});
   if (problem.start && !isValid(*problem.start, space))
-    return makeError({.place = place, .found = "a start that is not valid", .expected = "finite numbers for all joints"});
+    return makeError(
+        {.place = place, .found = "a start that is not valid", .expected = "finite numbers for all joints"});
   for (const EntityConfiguration& hint : problem.hints) {
     if (!isValid(hint, space))
-      return makeError({.place = place, .found = "a hint that is not valid", .expected = "finite numbers for all joints"});
+      return makeError(
+          {.place = place, .found = "a hint that is not valid", .expected = "finite numbers for all joints"});
   }
   return {};
 }
@@ -56,7 +58,8 @@ class Planning {
     start_ = problem.start.value_or(space_.present());
     const double limit = std::clamp(problem.time_limit_s, 0.0, 1e6);
     deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
-    threads_ = problem.threads > 0 ? problem.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    threads_ =
+        problem.threads > 0 ? problem.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   }
 
   Expected<PlanResult> run() {
@@ -185,7 +188,8 @@ class Planning {
     const bool in_time = Clock::now() < deadline_;
     const Text how = in_time ? Text("no way to the goal was found with %1 checks", found.checks)
                              : Text("no way to the goal was found in %1 s", shortSeconds(problem_.time_limit_s));
-    failure.reason = failure.blocked_by.empty() ? how : Text("%1; most often %2 was in the way", how, failure.blocked_by);
+    failure.reason =
+        failure.blocked_by.empty() ? how : Text("%1; most often %2 was in the way", how, failure.blocked_by);
     if (found.nearest) {
       failure.nearest = found.nearest;
       failure.X_WT_nearest = space_.toolAt(*found.nearest);

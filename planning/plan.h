@@ -20,8 +20,8 @@ struct Plan {
   std::vector<EntityConfiguration> waypoints;
   /// Indices of the waypoints at the poses of Problem::through.
   std::vector<std::size_t> through;
-  double length = 0.0;           ///< Way of the tool (of a solid's origin), m.
-  double clearance_min = 0.0;    ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
+  double length = 0.0;         ///< Way of the tool (of a solid's origin), m.
+  double clearance_min = 0.0;  ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
   /// m: it was planned with so much more than the clearance, so that its corners may be rounded off (timedMotion()).
   double slack = 0.0;
 };
@@ -29,16 +29,16 @@ struct Plan {
 /// Why there is no plan.
 struct Failure {
   enum class Kind {
-    kStart,      ///< The start is not free with this clearance.
-    kReach,      ///< No joints bring the tool to the goal.
-    kLimit,      ///< Only joint limits prevent it.
-    kBlocked,    ///< The goal is not free: something is there.
-    kNoWay,      ///< Start and goal are free, but no way was found within the checks or the time.
+    kStart,    ///< The start is not free with this clearance.
+    kReach,    ///< No joints bring the tool to the goal.
+    kLimit,    ///< Only joint limits prevent it.
+    kBlocked,  ///< The goal is not free: something is there.
+    kNoWay,    ///< Start and goal are free, but no way was found within the checks or the time.
     kCancelled,
   };
   Kind kind = Kind::kNoWay;
-  Text reason;                   ///< A sentence for the user.
-  std::string blocked_by;        ///< Name of the entity that blocks most; empty if none does.
+  Text reason;             ///< A sentence for the user.
+  std::string blocked_by;  ///< Name of the entity that blocks most; empty if none does.
   /// The reachable and free configuration nearest to the goal that was found, and its tool.
   std::optional<EntityConfiguration> nearest;
   std::optional<Pose> X_WT_nearest;

@@ -104,8 +104,7 @@ class Coordinates {
     }
     const auto* pose = state->as<ob::SE3StateSpace::StateType>();
     at.X_WE.p = {pose->getX(), pose->getY(), pose->getZ()};
-    at.X_WE.q = glm::normalize(
-        dquat(pose->rotation().w, pose->rotation().x, pose->rotation().y, pose->rotation().z));
+    at.X_WE.q = glm::normalize(dquat(pose->rotation().w, pose->rotation().x, pose->rotation().y, pose->rotation().z));
     return at;
   }
 
@@ -253,9 +252,8 @@ class OneSearch {
             std::uint64_t seed)
       : coordinates_(coordinates), check_(space.fresh(), coordinates), kind_(kind) {
     space_ = coordinates.makeSpace();
-    space_->setStateSamplerAllocator([this, seed](const ob::StateSpace* of) {
-      return std::make_shared<SeededSampler>(of, coordinates_, seed);
-    });
+    space_->setStateSamplerAllocator(
+        [this, seed](const ob::StateSpace* of) { return std::make_shared<SeededSampler>(of, coordinates_, seed); });
     information_ = std::make_shared<ob::SpaceInformation>(space_);
     information_->setStateValidityChecker([this](const ob::State* state) { return check_.isFree(state); });
     information_->setMotionValidator(std::make_shared<ExactMotions>(information_, check_));
@@ -272,9 +270,8 @@ class OneSearch {
     information_->freeState(state);
     problem_->setGoal(goals);
     const double range = kind.range * space_->getMaximumExtent();
-    planner_ = kind.method == SearchKind::Method::kRrtConnect
-                   ? makePlanner<og::RRTConnect>(information_, seed, range)
-                   : makePlanner<og::BiEST>(information_, seed, range);
+    planner_ = kind.method == SearchKind::Method::kRrtConnect ? makePlanner<og::RRTConnect>(information_, seed, range)
+                                                              : makePlanner<og::BiEST>(information_, seed, range);
     planner_->setProblemDefinition(problem_);
     planner_->setup();
   }
@@ -283,8 +280,7 @@ class OneSearch {
 
   /// Goes on until it has made `most` checks in all, or `ends` says so.
   void run(const SearchJob& job, std::size_t most, const std::function<bool(std::size_t checks)>& ends) {
-    const ob::PlannerTerminationCondition condition(
-        [&] { return check_.checks() >= most || ends(check_.checks()); });
+    const ob::PlannerTerminationCondition condition([&] { return check_.checks() >= most || ends(check_.checks()); });
     planner_->solve(condition);
     if (!problem_->hasExactSolution()) return;
     const auto* path = problem_->getSolutionPath()->as<og::PathGeometric>();
@@ -338,12 +334,12 @@ class OneSearch {
   std::vector<EntityConfiguration> path_;
 };
 
-/// Chosen by bench/planning_bench: short steps for crowds, long ones for open space. Half the ranges: more checks in
-/// open space; twice: more motions that end in something.
+/// Our choice, still to be measured by `planning_bench kinds`: short steps for crowds, long ones for open space. Half
+/// the ranges: more checks in open space; twice: more motions that end in something.
 std::vector<SearchKind> shippedKinds() {
   using Method = SearchKind::Method;
-  return {{Method::kRrtConnect, 0.1}, {Method::kRrtConnect, 0.05}, {Method::kRrtConnect, 0.2},
-          {Method::kRrtConnect, 0.1}};
+  return {
+      {Method::kRrtConnect, 0.1}, {Method::kRrtConnect, 0.05}, {Method::kRrtConnect, 0.2}, {Method::kRrtConnect, 0.1}};
 }
 
 /// The searches of one job and their rounds.

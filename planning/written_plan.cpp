@@ -128,7 +128,8 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
   promises.list.push_back({"contacts", 0.0, contacts, "", where_contact, false, 0.0});
   promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
-  promises.list.push_back({"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), "", {}, false, 0.0});
+  promises.list.push_back(
+      {"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), "", {}, false, 0.0});
   promises.list.push_back(
       {"goal", kEnds, differenceOf(*motion, motion->size() - 1, plan.waypoints.back(), *columns), "", {}, false, 0.0});
   promises.help = "Ask for a larger clearance, or for another seed.";

@@ -43,7 +43,8 @@ Expected<std::vector<double>> numbersOf(const std::string& option, const std::st
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const auto number = trajectory::parseNumber(std::string_view(text).substr(begin, end - begin));
     if (!number)
-      return makeError({.place = Text(option), .found = "'" + text + "'", .expected = "finite numbers separated by commas"});
+      return makeError(
+          {.place = Text(option), .found = "'" + text + "'", .expected = "finite numbers separated by commas"});
     numbers.push_back(*number);
     begin = end + 1;
   }
@@ -207,23 +208,22 @@ void addPlanCommand(Subcommand app, Action& chosen) {
   const auto options = std::make_shared<PlanOptions>();
   command.option("--workcell", options->workcell, "Cell (.hcell)").takes(ValueKind::kWorkcell).required();
   command.option("--entity", options->entity, "Robot, mechanism or solid that moves").required();
-  command.option("--to", options->to, "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, or of a solid's frame, in the cell");
+  command.option("--to", options->to,
+                 "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, or of a solid's frame, in the cell");
   command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
   command.flag("--out", options->out, "Goal: the solid out of the box around everything else");
-  command.option("--through", options->through, "Poses that the motion passes, in this order")
-      .takes(ValueKind::kTable);
+  command.option("--through", options->through, "Poses that the motion passes, in this order").takes(ValueKind::kTable);
   command.option("--clearance", options->clearance, "Metres that the motion keeps from the cell (default: 0.005)")
       .within(0.0, 10.0);
   command.option("--seed", options->seed, "Equal seeds give equal motions (default: 1)").withinWhole(0, 2'000'000'000);
-  command.option("--time", options->time, "Seconds after which the search is given up (default: 10)").within(0.0, 86'400.0);
+  command.option("--time", options->time, "Seconds after which the search is given up (default: 10)")
+      .within(0.0, 86'400.0);
   command.option("--jobs", options->jobs, "Threads; the motion does not depend on it (default: one a core)")
       .withinWhole(0, 4096);
   command.option("-o,--output", options->output, "Motion to write (.htraj or .csv)")
       .takes(ValueKind::kMotion)
       .required();
-  command.onChosen([options, &chosen] {
-    chosen = [options](ResultWriter& writer) { return run(*options, writer); };
-  });
+  command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 
 }  // namespace hapticell::cli

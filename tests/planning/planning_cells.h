@@ -22,8 +22,8 @@ inline workcell::Entity loaded(const std::string& what, workcell::EntityId id, c
   return entity;
 }
 
-/// A robot (1) on a plate (4) that its base touches, with a wall (2) on the straight way of its tool; a gripper of a box (3)
-/// on its flange.
+/// A robot (1) on a plate (4) that its base touches, with a wall (2) on the straight way of its tool; a gripper of a
+/// box (3) on its flange.
 inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gripper = false) {
   std::vector<workcell::Entity> entities{loaded("library:ur5e", 1, "robot", {}),
                                          loaded("box:0.6,0.04,0.5", 2, "wall", Pose::translation({-0.65, -0.13, 0.25})),
@@ -43,19 +43,20 @@ inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gr
   return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
 }
 
-/// A bar (1) 0.2 m long that lies in a box of five plates, open above or with a lid (7); the opening is `width` (m) wide
-/// both ways.
+/// A bar (1) 0.2 m long that lies in a box of five plates, open above or with a lid (7); the opening is `width` (m)
+/// wide both ways.
 inline std::shared_ptr<const manipulation::PreparedScene> boxWithBar(double width, bool has_lid = false) {
   const double wall = 0.02, side = width / 2.0 + wall / 2.0;
   const std::string along = "box:" + std::to_string(wall) + "," + std::to_string(width + 2.0 * wall) + ",0.3";
   const std::string across = "box:" + std::to_string(width + 2.0 * wall) + "," + std::to_string(wall) + ",0.3";
-  const std::string floor = "box:" + std::to_string(width + 2.0 * wall) + "," + std::to_string(width + 2.0 * wall) + ",0.02";
+  const std::string floor =
+      "box:" + std::to_string(width + 2.0 * wall) + "," + std::to_string(width + 2.0 * wall) + ",0.02";
   std::vector<workcell::Entity> entities{loaded("box:0.2,0.04,0.04", 1, "bar", Pose::translation({0, 0, 0.1})),
-                                               loaded(along, 2, "left", Pose::translation({-side, 0, 0.15})),
-                                               loaded(along, 3, "right", Pose::translation({side, 0, 0.15})),
-                                               loaded(across, 4, "front", Pose::translation({0, -side, 0.15})),
-                                               loaded(across, 5, "back", Pose::translation({0, side, 0.15})),
-                                               loaded(floor, 6, "floor", Pose::translation({0, 0, -0.01}))};
+                                         loaded(along, 2, "left", Pose::translation({-side, 0, 0.15})),
+                                         loaded(along, 3, "right", Pose::translation({side, 0, 0.15})),
+                                         loaded(across, 4, "front", Pose::translation({0, -side, 0.15})),
+                                         loaded(across, 5, "back", Pose::translation({0, side, 0.15})),
+                                         loaded(floor, 6, "floor", Pose::translation({0, 0, -0.01}))};
   if (has_lid) entities.push_back(loaded(floor, 7, "lid", Pose::translation({0, 0, 0.31})));
   return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
 }

@@ -51,8 +51,10 @@ TEST(WrittenPlan, KeepsItsPromises) {
   const auto& robot = *made.problem.scene->find(1)->robot();
   for (std::size_t i = 1; i < made.motion.size(); ++i) {
     for (std::size_t j = 0; j < robot.dof(); ++j) {
-      const double speed = (made.motion.joints(i)[j] - made.motion.joints(i - 1)[j]) / (made.motion[i].t - made.motion[i - 1].t);
-      EXPECT_LE(std::abs(speed), kinematics::greatestSpeed(robot.joints[static_cast<std::size_t>(robot.moving[j])]) * 1.001);
+      const double speed =
+          (made.motion.joints(i)[j] - made.motion.joints(i - 1)[j]) / (made.motion[i].t - made.motion[i - 1].t);
+      EXPECT_LE(std::abs(speed),
+                kinematics::greatestSpeed(robot.joints[static_cast<std::size_t>(robot.moving[j])]) * 1.001);
     }
   }
 }

@@ -150,7 +150,7 @@ TEST_F(SceneTest, FindsPairsNearerThanTheirClearanceOnTheWay) {
   std::vector<double> clearance(fixed_.back() + 1, 0.0);
   for (std::size_t i = 0; i < fixed_.size(); ++i) clearance[fixed_[i]] = i % 3 == 0 ? 0.0 : 0.004 * static_cast<double>(i);
   int free = 0, found = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 60; ++i) {
     std::vector<MovedPart> moved;
     for (const PartIndex part : moved_) {
       const Pose X_WStart = test::randomPose(random_, 0.9), X_WEnd = test::randomPose(random_, 0.9);
@@ -158,8 +158,8 @@ TEST_F(SceneTest, FindsPairsNearerThanTheirClearanceOnTheWay) {
     }
     const auto nearer = scene_.findNearer(moved, clearance, true);
     double least_of_all = 1.0, of_found = 1.0;  // Distance less clearance.
-    for (int k = 0; k <= 40; ++k) {
-      for (const MovedPart& part : moved) scene_.setPose(part.part, part.motion.at(k / 40.0));
+    for (int k = 0; k <= 12; ++k) {
+      for (const MovedPart& part : moved) scene_.setPose(part.part, part.motion.at(k / 12.0));
       const std::vector<double> all = allDistances();
       for (PairIndex pair = 0; pair < all.size(); ++pair) {
         const double over = all[pair] - clearance[scene_.tag(pair)];
@@ -168,15 +168,15 @@ TEST_F(SceneTest, FindsPairsNearerThanTheirClearanceOnTheWay) {
       }
     }
     if (nearer) {
-      EXPECT_LT(of_found, 2e-3) << "sampled 40 times";
+      EXPECT_LT(of_found, 0.02) << "sampled 13 times";
       ++found;
     } else {
       EXPECT_GE(least_of_all, 0.0);
       ++free;
     }
   }
-  EXPECT_GT(free, 10);
-  EXPECT_GT(found, 10);
+  EXPECT_GT(free, 3);
+  EXPECT_GT(found, 3);
 }
 
 }  // namespace
