@@ -33,7 +33,7 @@ TEST(StudiesDock, AStudyIsSetUpByPointingAndRuns) {
   page.chooseLine(0, 1);
   EXPECT_NEAR(page.find<ValueField>("fieldTo")->value(), 125.0, 8.0);
   page.type("fieldSteps", "2");
-  EXPECT_EQ(page.words("labelVariants"), "4 variants");
+  EXPECT_TRUE(page.words("labelVariants").startsWith("4 "));
   page.find<QAction>("add_ask_reach")->trigger();
   page.settle();
   EXPECT_TRUE(page.line(1, 0).contains("robot")) << "the only robot is meant: " << page.line(1, 0).toStdString();
@@ -142,7 +142,7 @@ TEST(StudiesDock, AStoppedRunContinues) {
   page.chooseLine(0, 0);
   page.type("fieldSteps", "6");
   page.click("buttonRunStudy");
-  EXPECT_FALSE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled()) << "one at a time";
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled()) << page.words("labelStudyRun").toStdString();
   ASSERT_TRUE(StudiesPage::until([&] { return page.words("labelStudyRun").contains(" left"); },
                                  StudiesPage::kRunPatience));
   page.click("buttonStopStudy");
@@ -227,7 +227,7 @@ TEST(StudiesDock, AWorkplaceIsOneStudy) {
   EXPECT_EQ(page.lines(0), 2);
   EXPECT_EQ(page.lines(1), 1);
   EXPECT_EQ(page.words("labelStudyFault"), "");
-  EXPECT_EQ(page.words("labelVariants"), "99 variants");
+  EXPECT_TRUE(page.words("labelVariants").startsWith("99 "));
   // The workcell has a new mannequin that its file does not have.
   page.answerFile(page.file("place.hstudy"));
   page.click("buttonRunStudy");

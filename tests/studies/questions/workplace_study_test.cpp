@@ -89,7 +89,9 @@ TEST_F(WorkplaceStudy, ScoresEveryPlaceAsTheSearchDoes) {
     };
     const bool all = std::get<double>(answer("posture.share")) == 1.0;
     EXPECT_EQ(all, map->cells[0].worst > 0) << number << " " << map->cells[0].why << " " << row.note;
-    if (all) EXPECT_EQ(std::get<double>(answer("posture.rula")), map->cells[0].worst) << number;
+    if (all) {
+      EXPECT_EQ(std::get<double>(answer("posture.rula")), map->cells[0].worst) << number;
+    }
     reached += all ? 1 : 0;
   }
   EXPECT_GT(reached, 0) << "a comparison of nothing";
