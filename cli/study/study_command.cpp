@@ -52,7 +52,7 @@ Expected<ordered_json> runStudyCommand(const StudyOptions& options) {
   auto store = ResultStore::openOrCreate(options.output, (*study)->head());
   HAPTICELL_TRY(store);
   StudyProgress progress;
-  studies::RunOptions run{chunk->chunk, chunk->chunks, options.jobs, {}, &stop.asked()};
+  studies::RunOptions run{chunk->chunk, chunk->chunks, options.jobs, {}, {}, &stop.asked()};
   run.progress = [&](const studies::RunProgress& now) { progress.show(now); };
   const auto summary = studies::runStudy(**study, *store, run);
   HAPTICELL_TRY(summary);

@@ -33,7 +33,7 @@ TEST(StudiesDock, AStudyIsSetUpByPointingAndRuns) {
   page.chooseLine(0, 1);
   EXPECT_NEAR(page.find<ValueField>("fieldTo")->value(), 125.0, 8.0);
   page.type("fieldSteps", "2");
-  EXPECT_EQ(page.words("labelVariants"), "4 variants");
+  EXPECT_TRUE(page.words("labelVariants").startsWith("4 "));
   page.find<QAction>("add_ask_reach")->trigger();
   page.settle();
   EXPECT_TRUE(page.line(1, 0).contains("robot")) << "the only robot is meant: " << page.line(1, 0).toStdString();
@@ -140,9 +140,9 @@ TEST(StudiesDock, AStoppedRunContinues) {
   ASSERT_TRUE(page.openCell());
   page.openStudy("small.hstudy");
   page.chooseLine(0, 0);
-  page.type("fieldSteps", "6");
+  page.type("fieldSteps", "60");
   page.click("buttonRunStudy");
-  EXPECT_FALSE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled()) << "one at a time";
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled()) << page.words("labelStudyRun").toStdString();
   ASSERT_TRUE(StudiesPage::until([&] { return page.words("labelStudyRun").contains(" left"); },
                                  StudiesPage::kRunPatience));
   page.click("buttonStopStudy");
@@ -150,9 +150,9 @@ TEST(StudiesDock, AStoppedRunContinues) {
                                  StudiesPage::kRunPatience))
       << page.words("labelStudyRun").toStdString();
   const int before = page.resultRows();
-  EXPECT_LT(before, 18);
+  EXPECT_LT(before, 180);
   ASSERT_TRUE(page.runToTheEnd()) << page.words("labelStudyRun").toStdString();
-  EXPECT_EQ(page.resultRows(), 18);
+  EXPECT_EQ(page.resultRows(), 180);
 }
 
 TEST(StudiesDock, ResultsFromElsewhereAreOpenedAndSayWhatIsMissing) {
@@ -227,7 +227,7 @@ TEST(StudiesDock, AWorkplaceIsOneStudy) {
   EXPECT_EQ(page.lines(0), 2);
   EXPECT_EQ(page.lines(1), 1);
   EXPECT_EQ(page.words("labelStudyFault"), "");
-  EXPECT_EQ(page.words("labelVariants"), "99 variants");
+  EXPECT_TRUE(page.words("labelVariants").startsWith("99 "));
   // The workcell has a new mannequin that its file does not have.
   page.answerFile(page.file("place.hstudy"));
   page.click("buttonRunStudy");

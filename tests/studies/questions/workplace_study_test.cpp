@@ -62,7 +62,7 @@ class WorkplaceStudy : public testing::Test {
   std::vector<workcell::Entity> cell_;
 };
 
-TEST_F(WorkplaceStudy, ScoresEveryPlaceAsTheSearchDoes) {
+TEST_F(WorkplaceStudy, ScoresAPlaceAsTheSearchDoes) {
   const auto made = study(kVary, kAsk);
   ASSERT_TRUE(made) << made.error().message();
   manipulation::WorkplaceQuestion question;
@@ -73,7 +73,7 @@ TEST_F(WorkplaceStudy, ScoresEveryPlaceAsTheSearchDoes) {
   }
   const std::atomic<bool> go_on{false};
   int reached = 0;
-  for (std::size_t number = 0; number < 9; ++number) {
+  for (const std::size_t number : {std::size_t{0}, std::size_t{4}}) {  // Low and near; as given.
     const auto values = (*made)->space().values(number);
     question.rise_from = question.rise_to = std::get<double>(values[0]);
     question.away_from = question.away_to = std::get<double>(values[1]);
@@ -89,7 +89,9 @@ TEST_F(WorkplaceStudy, ScoresEveryPlaceAsTheSearchDoes) {
     };
     const bool all = std::get<double>(answer("posture.share")) == 1.0;
     EXPECT_EQ(all, map->cells[0].worst > 0) << number << " " << map->cells[0].why << " " << row.note;
-    if (all) EXPECT_EQ(std::get<double>(answer("posture.rula")), map->cells[0].worst) << number;
+    if (all) {
+      EXPECT_EQ(std::get<double>(answer("posture.rula")), map->cells[0].worst) << number;
+    }
     reached += all ? 1 : 0;
   }
   EXPECT_GT(reached, 0) << "a comparison of nothing";
