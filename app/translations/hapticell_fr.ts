@@ -315,6 +315,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 entrées endommagées (la première : %2)</translation>
     </message>
     <message>
+        <source>%1 disabled pairs instead of %2</source>
+        <translation>%1 paires désactivées au lieu de %2</translation>
+    </message>
+    <message>
         <source>%1 does not go along with %2: %3</source>
         <translation>%1 n'accompagne pas %2 : %3</translation>
     </message>
@@ -703,6 +707,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 maillages cités sont introuvables et ont été omis : %2</translation>
     </message>
     <message>
+        <source>%1 messages in %2 chunks, as the file has</source>
+        <translation>%1 messages en %2 blocs, comme dans le fichier</translation>
+    </message>
+    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -723,6 +731,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Et %1 autres lignes de ce genre.</translation>
     </message>
     <message>
+        <source>%1 motions, or one without frames</source>
+        <translation>%1 mouvements, ou un mouvement sans points</translation>
+    </message>
+    <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
     </message>
@@ -733,6 +745,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 moves too</source>
         <translation>%1 suit</translation>
+    </message>
+    <message>
+        <source>%1 moving joints instead of %2</source>
+        <translation>%1 axes mobiles au lieu de %2</translation>
     </message>
     <message>
         <source>%1 moving joints move this link</source>
@@ -881,6 +897,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 responds at %2.</source>
         <translation>%1 répond à %2.</translation>
+    </message>
+    <message>
+        <source>%1 robots</source>
+        <translation>%1 robots</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -1397,6 +1417,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: %2 markers, %3 s at %4 Hz</source>
         <translation>%1 : %2 marqueurs, %3 s à %4 Hz</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages of other joints are left out</source>
+        <translation>%1 : %2 messages d’autres axes sont ignorés</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages whose time does not rise are left out</source>
+        <translation>%1 : %2 messages dont le temps n’augmente pas sont ignorés</translation>
     </message>
     <message>
         <source>%1: %2 on %3</source>
@@ -2079,8 +2107,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>--record manque</translation>
     </message>
     <message>
-        <source>--record together with this option</source>
-        <translation>--record avec cette option</translation>
+        <source>--record or --mcap together with this option</source>
+        <translation>--record ou --mcap avec cette option</translation>
     </message>
     <message>
         <source>--record-interval, --record-distance</source>
@@ -2207,6 +2235,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
     </message>
     <message>
+        <source>.htraj, .csv or .mcap for a motion</source>
+        <translation>.htraj, .csv ou .mcap pour un mouvement</translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2271,6 +2303,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>de 0 à 1 m</translation>
     </message>
     <message>
+        <source>0 to 232</source>
+        <translation>0 à 232</translation>
+    </message>
+    <message>
         <source>0 to 6</source>
         <translation>0 à 6</translation>
     </message>
@@ -2313,6 +2349,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>1 to %1</source>
         <translation>1 à %1</translation>
+    </message>
+    <message>
+        <source>1 to 1000 Hz</source>
+        <translation>1 à 1000 Hz</translation>
+    </message>
+    <message>
+        <source>1 to 1000 motions with frames</source>
+        <translation>1 à 1000 mouvements avec des points</translation>
     </message>
     <message>
         <source>1 to 10000 per second</source>
@@ -5399,6 +5443,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réinstallez HaptiCell.</translation>
     </message>
     <message>
+        <source>Install HaptiCell with its link to ROS 2 (Debian: cyclonedds-dev, when building).</source>
+        <translation>Installez HaptiCell avec sa liaison ROS 2 (Debian : cyclonedds-dev, à la compilation).</translation>
+    </message>
+    <message>
         <source>Install Slurm (Debian: slurm-client), or run the chunks by GNU Parallel.</source>
         <translation>Installez Slurm (Debian : slurm-client), ou lancez les morceaux avec GNU Parallel.</translation>
     </message>
@@ -5509,6 +5557,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
         <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
+    </message>
+    <message>
+        <source>JointTrajectory</source>
+        <translation>JointTrajectory</translation>
+    </message>
+    <message>
+        <source>JointTrajectory, point %1</source>
+        <translation>JointTrajectory, point %1</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -7567,6 +7623,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ROS 2 JointTrajectory (.yaml)</translation>
     </message>
     <message>
+        <source>ROS_DOMAIN_ID</source>
+        <translation>ROS_DOMAIN_ID</translation>
+    </message>
+    <message>
         <source>RULA</source>
         <translation>RULA</translation>
     </message>
@@ -8957,6 +9017,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The cell was changed or saved, so the run was cancelled. The part is back in its place.</source>
         <translation>La cellule a été modifiée ou enregistrée : l'essai est annulé. La pièce est revenue à sa place.</translation>
+    </message>
+    <message>
+        <source>The connection was lost before the end; what was received is written.</source>
+        <translation>La connexion a été perdue avant la fin ; ce qui a été reçu est écrit.</translation>
     </message>
     <message>
         <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
@@ -10499,6 +10563,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
+        <source>a channel of schema %1, which is not declared</source>
+        <translation>un canal du schéma %1, qui n’est pas déclaré</translation>
+    </message>
+    <message>
+        <source>a chunk of %1 MB</source>
+        <translation>un bloc de %1 Mo</translation>
+    </message>
+    <message>
         <source>a colour out of range</source>
         <translation>une couleur hors limites</translation>
     </message>
@@ -10549,6 +10621,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a damaged archive</source>
         <translation>une archive endommagée</translation>
+    </message>
+    <message>
+        <source>a damaged chunk</source>
+        <translation>un bloc endommagé</translation>
     </message>
     <message>
         <source>a data URI without data</source>
@@ -11059,6 +11135,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une macro du nom de '%1'</translation>
     </message>
     <message>
+        <source>a malformed record of kind %1</source>
+        <translation>un enregistrement mal formé de type %1</translation>
+    </message>
+    <message>
         <source>a mannequin</source>
         <translation>un mannequin</translation>
     </message>
@@ -11109,6 +11189,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a mesh without volume</source>
         <translation>un maillage sans volume</translation>
+    </message>
+    <message>
+        <source>a message of channel %1, which is not declared</source>
+        <translation>un message du canal %1, qui n’est pas déclaré</translation>
+    </message>
+    <message>
+        <source>a message of the topic's type</source>
+        <translation>un message du type du sujet</translation>
+    </message>
+    <message>
+        <source>a message that does not fit its type</source>
+        <translation>un message qui ne correspond pas à son type</translation>
     </message>
     <message>
         <source>a message with content</source>
@@ -11431,6 +11523,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier CSV lisible</translation>
     </message>
     <message>
+        <source>a record of kind %1</source>
+        <translation>un enregistrement de type %1</translation>
+    </message>
+    <message>
         <source>a recorded device session (*.hdev)</source>
         <translation>une session de périphérique enregistrée (*.hdev)</translation>
     </message>
@@ -11453,6 +11549,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a reference to something that is not in the file</source>
         <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>a result</source>
+        <translation>un résultat</translation>
     </message>
     <message>
         <source>a result of comb() or perm() beyond 64 bits</source>
@@ -11683,6 +11783,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>une étude sans objectifs</translation>
     </message>
     <message>
+        <source>a summary at byte %1</source>
+        <translation>un résumé à l’octet %1</translation>
+    </message>
+    <message>
+        <source>a summary of %1 messages in %2 chunks</source>
+        <translation>un résumé de %1 messages en %2 blocs</translation>
+    </message>
+    <message>
         <source>a table</source>
         <translation>une table</translation>
     </message>
@@ -11795,12 +11903,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un temps de 0 s ou plus</translation>
     </message>
     <message>
+        <source>a time of more than 30 years</source>
+        <translation>un temps de plus de 30 ans</translation>
+    </message>
+    <message>
         <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
     </message>
     <message>
         <source>a time that is not after the time before</source>
         <translation>un instant qui n'est pas postérieur au précédent</translation>
+    </message>
+    <message>
+        <source>a time within the nanosecond of the frame before</source>
+        <translation>un temps à moins d’une nanoseconde du point précédent</translation>
     </message>
     <message>
         <source>a time without a frame</source>
@@ -12195,6 +12311,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une image vide</translation>
     </message>
     <message>
+        <source>an empty recording</source>
+        <translation>un enregistrement vide</translation>
+    </message>
+    <message>
         <source>an endless loop</source>
         <translation>une boucle sans fin</translation>
     </message>
@@ -12281,6 +12401,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an index</source>
         <translation>un indice</translation>
+    </message>
+    <message>
+        <source>an index entry for byte %1, where no such record is</source>
+        <translation>une entrée d’index pour l’octet %1, où cet enregistrement n’existe pas</translation>
     </message>
     <message>
         <source>an index into %1</source>
@@ -12867,6 +12991,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des changements du modèle inclus</translation>
     </message>
     <message>
+        <source>channel %1 twice, with different content</source>
+        <translation>le canal %1 deux fois, avec des contenus différents</translation>
+    </message>
+    <message>
         <source>channels of the joints</source>
         <translation>des canaux des articulations</translation>
     </message>
@@ -12933,6 +13061,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>components without cycles</source>
         <translation>des composants sans cycle</translation>
+    </message>
+    <message>
+        <source>compressed records</source>
+        <translation>des enregistrements comprimés</translation>
     </message>
     <message>
         <source>consecutive frame numbers</source>
@@ -13403,8 +13535,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>images</translation>
     </message>
     <message>
+        <source>frames at least a nanosecond apart</source>
+        <translation>des points espacés d’au moins une nanoseconde</translation>
+    </message>
+    <message>
         <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
+    </message>
+    <message>
+        <source>frames, samples or scores</source>
+        <translation>des points, des échantillons ou des notes</translation>
     </message>
     <message>
         <source>frames: %1</source>
@@ -13485,6 +13625,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hapticell-haptic-server --help lists the options.</source>
         <translation>Lancez hapticell-haptic-server --help pour la liste des options.</translation>
+    </message>
+    <message>
+        <source>hapticell-ros2 gave no result</source>
+        <translation>hapticell-ros2 n’a donné aucun résultat</translation>
     </message>
     <message>
         <source>head</source>
@@ -13631,6 +13775,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>il appartient à l'utilisateur %1</translation>
     </message>
     <message>
+        <source>it beside hapticell-cli</source>
+        <translation>ce programme à côté de hapticell-cli</translation>
+    </message>
+    <message>
         <source>it cannot be loaded</source>
         <translation>il ne peut pas être chargé</translation>
     </message>
@@ -13681,6 +13829,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it does not speak TLS 1.3</source>
         <translation>il ne parle pas TLS 1.3</translation>
+    </message>
+    <message>
+        <source>it ended by signal %1</source>
+        <translation>il s’est terminé par le signal %1</translation>
     </message>
     <message>
         <source>it ended too early</source>
@@ -13879,6 +14031,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1' deux fois</translation>
     </message>
     <message>
+        <source>joint '%1' with other limits</source>
+        <translation>l’axe « %1 » avec d’autres limites</translation>
+    </message>
+    <message>
         <source>joint names</source>
         <translation>des noms d'axes</translation>
     </message>
@@ -13915,8 +14071,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>axes</translation>
     </message>
     <message>
+        <source>joints %1</source>
+        <translation>axes %1</translation>
+    </message>
+    <message>
         <source>joints are left out; all parts are read as rigid bodies</source>
         <translation>les articulations sont ignorées ; toutes les pièces sont lues comme des corps rigides</translation>
+    </message>
+    <message>
+        <source>joints of '%1'</source>
+        <translation>axes de « %1 »</translation>
     </message>
     <message>
         <source>joints relative to the target before</source>
@@ -14099,6 +14263,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>segment '%1'</translation>
     </message>
     <message>
+        <source>link '%1' at another place</source>
+        <translation>le segment « %1 » à un autre endroit</translation>
+    </message>
+    <message>
         <source>link '%1' does not move</source>
         <translation>le segment '%1' ne bouge pas</translation>
     </message>
@@ -14109,6 +14277,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>link '%1' is the child of two joints, '%2' and '%3'</source>
         <translation>le segment '%1' est l'enfant de deux axes, '%2' et '%3'</translation>
+    </message>
+    <message>
+        <source>link '%1' with other shapes</source>
+        <translation>le segment « %1 » avec d’autres formes</translation>
     </message>
     <message>
         <source>links of %1 that touch at rest are not checked against each other: %2</source>
@@ -14231,6 +14403,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>type de message %1</translation>
     </message>
     <message>
+        <source>metadata '%1'</source>
+        <translation>métadonnées « %1 »</translation>
+    </message>
+    <message>
         <source>method = &quot;halton&quot; or &quot;sobol&quot;</source>
         <translation>method = &quot;halton&quot; ou &quot;sobol&quot;</translation>
     </message>
@@ -14347,6 +14523,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus d'éléments que ses vues de tampon n'en contiennent</translation>
     </message>
     <message>
+        <source>more than %1 MB of messages</source>
+        <translation>plus de %1 Mo de messages</translation>
+    </message>
+    <message>
         <source>more than %1 MB once unpacked</source>
         <translation>plus de %1 Mo une fois décompressé</translation>
     </message>
@@ -14417,6 +14597,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>motions</source>
         <translation>mouvements</translation>
+    </message>
+    <message>
+        <source>motions of one robot</source>
+        <translation>des mouvements d’un même robot</translation>
     </message>
     <message>
         <source>moved by %1 m, %2 rad</source>
@@ -14623,12 +14807,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de limites pour les axes</translation>
     </message>
     <message>
+        <source>no joints or no points</source>
+        <translation>pas d’axes ou pas de points</translation>
+    </message>
+    <message>
         <source>no key is named '%1'</source>
         <translation>aucune clé ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no line after the header</source>
         <translation>pas de ligne après l'en-tête</translation>
+    </message>
+    <message>
+        <source>no link '%1'</source>
+        <translation>pas de segment « %1 »</translation>
     </message>
     <message>
         <source>no link is named '%1'</source>
@@ -14677,6 +14869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no message of these types</source>
         <translation>aucun message de ce type</translation>
+    </message>
+    <message>
+        <source>no message within %1 s</source>
+        <translation>aucun message en %1 s</translation>
     </message>
     <message>
         <source>no more than the file size allows</source>
@@ -15023,6 +15219,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>objet '%1'</translation>
     </message>
     <message>
+        <source>object '%1' is left out: it has no box, sphere, cylinder or mesh</source>
+        <translation>l’objet « %1 » est ignoré : il n’a ni boîte, ni sphère, ni cylindre, ni maillage</translation>
+    </message>
+    <message>
+        <source>object '%1' is left out: it has no name, no pose, or the frame '%2' instead of 'world'</source>
+        <translation>l’objet « %1 » est ignoré : il n’a pas de nom, pas de position, ou le repère « %2 » au lieu de « world »</translation>
+    </message>
+    <message>
         <source>objects to be built</source>
         <translation>des objets à construire</translation>
     </message>
@@ -15067,6 +15271,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un</translation>
     </message>
     <message>
+        <source>one at byte %1</source>
+        <translation>un résumé à l’octet %1</translation>
+    </message>
+    <message>
         <source>one character</source>
         <translation>un seul caractère</translation>
     </message>
@@ -15077,6 +15285,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one element inside the call for each block</source>
         <translation>un élément dans l'appel pour chaque bloc</translation>
+    </message>
+    <message>
+        <source>one finite position for each joint and rising times</source>
+        <translation>une position finie par axe et des temps croissants</translation>
     </message>
     <message>
         <source>one link that is not the child of a joint</source>
@@ -15187,8 +15399,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>origine</translation>
     </message>
     <message>
+        <source>other first bytes</source>
+        <translation>d’autres premiers octets</translation>
+    </message>
+    <message>
         <source>other joints</source>
         <translation>d'autres axes</translation>
+    </message>
+    <message>
+        <source>other joints or channels than the first motion</source>
+        <translation>d’autres axes ou canaux que le premier mouvement</translation>
     </message>
     <message>
         <source>other users can write to it</source>
@@ -15351,6 +15571,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des positions qui ne sont pas une liste</translation>
     </message>
     <message>
+        <source>positions that do not fit the joints, or a time that does not rise</source>
+        <translation>des positions qui ne correspondent pas aux axes, ou un temps qui n’augmente pas</translation>
+    </message>
+    <message>
         <source>positive values</source>
         <translation>des valeurs positives</translation>
     </message>
@@ -15385,6 +15609,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>range() with a step of 0</source>
         <translation>range() avec un pas de 0</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>fréquence</translation>
     </message>
     <message>
         <source>reading</source>
@@ -15567,6 +15795,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de temps</translation>
     </message>
     <message>
+        <source>sample %1</source>
+        <translation>échantillon %1</translation>
+    </message>
+    <message>
         <source>samples with a method that has none</source>
         <translation>samples avec une méthode qui n'en a pas</translation>
     </message>
@@ -15581,6 +15813,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>scenes other than the main one</source>
         <translation>des scènes en plus de la principale</translation>
+    </message>
+    <message>
+        <source>schema %1 twice, with different content</source>
+        <translation>le schéma %1 deux fois, avec des contenus différents</translation>
     </message>
     <message>
         <source>scope=&quot;%1&quot; is unknown; the property '%2' is set in the current scope</source>
@@ -15607,6 +15843,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
     </message>
     <message>
+        <source>seconds from the beginning</source>
+        <translation>des secondes depuis le début</translation>
+    </message>
+    <message>
         <source>seconds or metres above 0</source>
         <translation>des secondes ou des mètres, plus que 0</translation>
     </message>
@@ -15625,6 +15865,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1</source>
         <translation>sept nombres x,y,z,qw,qx,qy,qz avec un quaternion de norme 1</translation>
+    </message>
+    <message>
+        <source>several of type %1: %2</source>
+        <translation>plusieurs du type %1 : %2</translation>
     </message>
     <message>
         <source>shape morphing; the mesh is shown as modelled</source>
@@ -16013,6 +16257,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the command needs a subcommand</source>
         <translation>la commande demande une sous-commande</translation>
+    </message>
+    <message>
+        <source>the compression '%1'</source>
+        <translation>la compression « %1 »</translation>
     </message>
     <message>
         <source>the condition &quot;%1&quot;, which gives &quot;%2&quot;</source>
@@ -16843,6 +17091,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ffmpeg, qui écrit les vidéos</translation>
     </message>
     <message>
+        <source>the program hapticell-ros2 is not installed</source>
+        <translation>le programme hapticell-ros2 n’est pas installé</translation>
+    </message>
+    <message>
         <source>the program has no lines</source>
         <translation>le programme n'a pas de lignes</translation>
     </message>
@@ -16897,6 +17149,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the robot's base</source>
         <translation>la base du robot</translation>
+    </message>
+    <message>
+        <source>the robots %1</source>
+        <translation>les robots %1</translation>
     </message>
     <message>
         <source>the rods do not reach the platform at the home position</source>
@@ -17227,6 +17483,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>outil</translation>
     </message>
     <message>
+        <source>topic %1</source>
+        <translation>sujet %1</translation>
+    </message>
+    <message>
+        <source>topic %1, message %2</source>
+        <translation>sujet %1, message %2</translation>
+    </message>
+    <message>
+        <source>topics</source>
+        <translation>sujets</translation>
+    </message>
+    <message>
         <source>touches %1</source>
         <translation>touche %1</translation>
     </message>
@@ -17545,6 +17813,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>zfill(%1)</source>
         <translation>zfill(%1)</translation>
+    </message>
+    <message>
+        <source>zstd, lz4 or none</source>
+        <translation>zstd, lz4 ou aucune</translation>
     </message>
     <message>
         <source>°</source>
