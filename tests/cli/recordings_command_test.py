@@ -125,6 +125,10 @@ def scores_are_kept(folder):
     again = run("record", "--from", folder / "kim.mcap", "--mcap", folder / "kim2.mcap")
     assert again["attempts"] == len(attempts)
     assert (folder / "kim.mcap").read_bytes() == (folder / "kim2.mcap").read_bytes()
+    exercise = ROOT / "config/exercises/door.hexercise"
+    expert = run("trajectory", "info", exercise.parent / json.loads(exercise.read_text())["recording"])
+    assert run("record", "--from", exercise, "--mcap", folder / "door.mcap")["frames"] == expert["frames"]
+    assert run("trajectory", "info", folder / "door.mcap")["length"] == expert["length"]
 
 
 def table_has_what_lerobot_asks(folder):
