@@ -335,6 +335,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 entrées endommagées (la première : %2)</translation>
     </message>
     <message>
+        <source>%1 disabled pairs instead of %2</source>
+        <translation>%1 paires désactivées au lieu de %2</translation>
+    </message>
+    <message>
         <source>%1 does not go along with %2: %3</source>
         <translation>%1 n'accompagne pas %2 : %3</translation>
     </message>
@@ -739,6 +743,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>%1 messages en %2 blocs, comme dans le fichier</translation>
+    </message>
+    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -767,6 +774,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>%1 mouvements, ou un mouvement sans points</translation>
+    </message>
+    <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
     </message>
@@ -777,6 +787,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 moves too</source>
         <translation>%1 suit</translation>
+    </message>
+    <message>
+        <source>%1 moving joints instead of %2</source>
+        <translation>%1 axes mobiles au lieu de %2</translation>
     </message>
     <message>
         <source>%1 moving joints move this link</source>
@@ -937,6 +951,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 responds at %2.</source>
         <translation>%1 répond à %2.</translation>
+    </message>
+    <message>
+        <source>%1 robots</source>
+        <translation>%1 robots</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -1477,6 +1495,13 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: %2 messages whose time does not rise are left out</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>%1 : %2 messages d’autres axes sont ignorés</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages whose time does not rise are left out</source>
+        <translation>%1 : %2 messages dont le temps n’augmente pas sont ignorés</translation>
     </message>
     <message>
         <source>%1: %2 on %3</source>
@@ -2199,6 +2224,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>--record ou --mcap avec cette option</translation>
+    </message>
+    <message>
         <source>--record-interval, --record-distance</source>
         <translation>--record-interval, --record-distance</translation>
     </message>
@@ -2351,6 +2379,10 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>.htraj, .csv or .mcap for a motion</source>
+        <translation>.htraj, .csv ou .mcap pour un mouvement</translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2427,6 +2459,10 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>0 to 232</source>
+        <translation>0 à 232</translation>
+    </message>
+    <message>
         <source>0 to 6</source>
         <translation>0 à 6</translation>
     </message>
@@ -2481,6 +2517,13 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>1 to 1000 motions with frames</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>1 à 1000 Hz</translation>
+    </message>
+    <message>
+        <source>1 to 1000 motions with frames</source>
+        <translation>1 à 1000 mouvements avec des points</translation>
     </message>
     <message>
         <source>1 to 10000 per second</source>
@@ -5763,6 +5806,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>Installez HaptiCell avec sa liaison ROS 2 (Debian : cyclonedds-dev, à la compilation).</translation>
+    </message>
+    <message>
         <source>Install Slurm (Debian: slurm-client), or run the chunks by GNU Parallel.</source>
         <translation>Installez Slurm (Debian : slurm-client), ou lancez les morceaux avec GNU Parallel.</translation>
     </message>
@@ -5893,6 +5939,13 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>JointTrajectory, point %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>JointTrajectory</translation>
+    </message>
+    <message>
+        <source>JointTrajectory, point %1</source>
+        <translation>JointTrajectory, point %1</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -8131,6 +8184,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>ROS_DOMAIN_ID</translation>
+    </message>
+    <message>
         <source>RULA</source>
         <translation>RULA</translation>
     </message>
@@ -9717,6 +9773,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The connection was lost before the end; what was received is written.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>La connexion a été perdue avant la fin ; ce qui a été reçu est écrit.</translation>
     </message>
     <message>
         <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
@@ -11447,6 +11506,13 @@ Voulez-vous le remplacer ?</translation>
         <translation>une distance de passage non valable</translation>
     </message>
     <message>
+        <translation>un canal du schéma %1, qui n’est pas déclaré</translation>
+    </message>
+    <message>
+        <source>a chunk of %1 MB</source>
+        <translation>un bloc de %1 Mo</translation>
+    </message>
+    <message>
         <source>a colour out of range</source>
         <translation>une couleur hors limites</translation>
     </message>
@@ -11501,6 +11567,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a damaged chunk</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>un bloc endommagé</translation>
     </message>
     <message>
         <source>a data URI without data</source>
@@ -12027,6 +12096,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un enregistrement mal formé de type %1</translation>
+    </message>
+    <message>
         <source>a mannequin</source>
         <translation>un mannequin</translation>
     </message>
@@ -12097,6 +12169,17 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a message that does not fit its type</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>un message du canal %1, qui n’est pas déclaré</translation>
+    </message>
+    <message>
+        <source>a message of the topic's type</source>
+        <translation>un message du type du sujet</translation>
+    </message>
+    <message>
+        <source>a message that does not fit its type</source>
+        <translation>un message qui ne correspond pas à son type</translation>
     </message>
     <message>
         <source>a message with content</source>
@@ -12475,6 +12558,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un enregistrement de type %1</translation>
+    </message>
+    <message>
         <source>a recorded device session (*.hdev)</source>
         <translation>une session de périphérique enregistrée (*.hdev)</translation>
     </message>
@@ -12505,6 +12591,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a result</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a result</source>
+        <translation>un résultat</translation>
     </message>
     <message>
         <source>a result of comb() or perm() beyond 64 bits</source>
@@ -12779,6 +12869,13 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un résumé à l’octet %1</translation>
+    </message>
+    <message>
+        <source>a summary of %1 messages in %2 chunks</source>
+        <translation>un résumé de %1 messages en %2 blocs</translation>
+    </message>
+    <message>
         <source>a table</source>
         <translation>une table</translation>
     </message>
@@ -12911,6 +13008,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un temps de plus de 30 ans</translation>
+    </message>
+    <message>
         <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
     </message>
@@ -12925,6 +13025,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a time within the nanosecond of the frame before</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>un temps à moins d’une nanoseconde du point précédent</translation>
     </message>
     <message>
         <source>a time without a frame</source>
@@ -13339,6 +13442,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un enregistrement vide</translation>
+    </message>
+    <message>
         <source>an endless loop</source>
         <translation>une boucle sans fin</translation>
     </message>
@@ -13429,6 +13535,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an index entry for byte %1, where no such record is</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>une entrée d’index pour l’octet %1, où cet enregistrement n’existe pas</translation>
     </message>
     <message>
         <source>an index into %1</source>
@@ -14063,6 +14172,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>le canal %1 deux fois, avec des contenus différents</translation>
+    </message>
+    <message>
         <source>channels of the joints</source>
         <translation>des canaux des articulations</translation>
     </message>
@@ -14141,6 +14253,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>compressed records</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>des enregistrements comprimés</translation>
     </message>
     <message>
         <source>consecutive frame numbers</source>
@@ -14659,12 +14774,18 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>des points espacés d’au moins une nanoseconde</translation>
+    </message>
+    <message>
         <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
     </message>
     <message>
         <source>frames, samples or scores</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>des points, des échantillons ou des notes</translation>
     </message>
     <message>
         <source>frames: %1</source>
@@ -14765,6 +14886,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hapticell-ros2 gave no result</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>hapticell-ros2 n’a donné aucun résultat</translation>
     </message>
     <message>
         <source>head</source>
@@ -14923,6 +15047,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>ce programme à côté de hapticell-cli</translation>
+    </message>
+    <message>
         <source>it cannot be loaded</source>
         <translation>il ne peut pas être chargé</translation>
     </message>
@@ -14977,6 +15104,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it ended by signal %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>il s’est terminé par le signal %1</translation>
     </message>
     <message>
         <source>it ended too early</source>
@@ -15215,6 +15345,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1' deux fois</translation>
     </message>
     <message>
+        <source>joint '%1' with other limits</source>
+        <translation>l’axe « %1 » avec d’autres limites</translation>
+    </message>
+    <message>
         <source>joint names</source>
         <translation>des noms d'axes</translation>
     </message>
@@ -15255,12 +15389,18 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>axes %1</translation>
+    </message>
+    <message>
         <source>joints are left out; all parts are read as rigid bodies</source>
         <translation>les articulations sont ignorées ; toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>joints of '%1'</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>axes de « %1 »</translation>
     </message>
     <message>
         <source>joints relative to the target before</source>
@@ -15459,6 +15599,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>segment '%1'</translation>
     </message>
     <message>
+        <source>link '%1' at another place</source>
+        <translation>le segment « %1 » à un autre endroit</translation>
+    </message>
+    <message>
         <source>link '%1' does not move</source>
         <translation>le segment '%1' ne bouge pas</translation>
     </message>
@@ -15469,6 +15613,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>link '%1' is the child of two joints, '%2' and '%3'</source>
         <translation>le segment '%1' est l'enfant de deux axes, '%2' et '%3'</translation>
+    </message>
+    <message>
+        <source>link '%1' with other shapes</source>
+        <translation>le segment « %1 » avec d’autres formes</translation>
     </message>
     <message>
         <source>links of %1 that touch at rest are not checked against each other: %2</source>
@@ -15603,6 +15751,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>métadonnées « %1 »</translation>
+    </message>
+    <message>
         <source>method = &quot;halton&quot; or &quot;sobol&quot;</source>
         <translation>method = &quot;halton&quot; ou &quot;sobol&quot;</translation>
     </message>
@@ -15731,6 +15882,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>plus de %1 Mo de messages</translation>
+    </message>
+    <message>
         <source>more than %1 MB once unpacked</source>
         <translation>plus de %1 Mo une fois décompressé</translation>
     </message>
@@ -15805,6 +15959,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>motions of one robot</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>des mouvements d’un même robot</translation>
     </message>
     <message>
         <source>moved by %1 m, %2 rad</source>
@@ -16047,12 +16204,19 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>pas d’axes ou pas de points</translation>
+    </message>
+    <message>
         <source>no key is named '%1'</source>
         <translation>aucune clé ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no line after the header</source>
         <translation>pas de ligne après l'en-tête</translation>
+    </message>
+    <message>
+        <source>no link '%1'</source>
+        <translation>pas de segment « %1 »</translation>
     </message>
     <message>
         <source>no link is named '%1'</source>
@@ -16105,6 +16269,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no message within %1 s</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>aucun message en %1 s</translation>
     </message>
     <message>
         <source>no more than the file size allows</source>
@@ -16519,6 +16686,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>objet '%1'</translation>
     </message>
     <message>
+        <source>object '%1' is left out: it has no box, sphere, cylinder or mesh</source>
+        <translation>l’objet « %1 » est ignoré : il n’a ni boîte, ni sphère, ni cylindre, ni maillage</translation>
+    </message>
+    <message>
+        <source>object '%1' is left out: it has no name, no pose, or the frame '%2' instead of 'world'</source>
+        <translation>l’objet « %1 » est ignoré : il n’a pas de nom, pas de position, ou le repère « %2 » au lieu de « world »</translation>
+    </message>
+    <message>
         <source>objects to be built</source>
         <translation>des objets à construire</translation>
     </message>
@@ -16571,6 +16746,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>un résumé à l’octet %1</translation>
+    </message>
+    <message>
         <source>one character</source>
         <translation>un seul caractère</translation>
     </message>
@@ -16585,6 +16763,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one finite position for each joint and rising times</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>une position finie par axe et des temps croissants</translation>
     </message>
     <message>
         <source>one link that is not the child of a joint</source>
@@ -16719,12 +16900,18 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>d’autres premiers octets</translation>
+    </message>
+    <message>
         <source>other joints</source>
         <translation>d'autres axes</translation>
     </message>
     <message>
         <source>other joints or channels than the first motion</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>d’autres axes ou canaux que le premier mouvement</translation>
     </message>
     <message>
         <source>other users can write to it</source>
@@ -16919,6 +17106,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>des positions qui ne correspondent pas aux axes, ou un temps qui n’augmente pas</translation>
+    </message>
+    <message>
         <source>positive values</source>
         <translation>des valeurs positives</translation>
     </message>
@@ -16969,6 +17159,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>rate</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>fréquence</translation>
     </message>
     <message>
         <source>reading</source>
@@ -17155,6 +17348,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>échantillon %1</translation>
+    </message>
+    <message>
         <source>samples with a method that has none</source>
         <translation>samples avec une méthode qui n'en a pas</translation>
     </message>
@@ -17173,6 +17369,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>schema %1 twice, with different content</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>le schéma %1 deux fois, avec des contenus différents</translation>
     </message>
     <message>
         <source>scope=&quot;%1&quot; is unknown; the property '%2' is set in the current scope</source>
@@ -17205,6 +17404,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>seconds from the beginning</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>des secondes depuis le début</translation>
     </message>
     <message>
         <source>seconds or metres above 0</source>
@@ -17245,6 +17447,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>shape (n, 9): t, x, y, z, qw, qx, qy, qz, button</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>plusieurs du type %1 : %2</translation>
     </message>
     <message>
         <source>shape morphing; the mesh is shown as modelled</source>
@@ -17693,6 +17898,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the compression '%1'</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>la compression « %1 »</translation>
     </message>
     <message>
         <source>the condition &quot;%1&quot;, which gives &quot;%2&quot;</source>
@@ -18567,6 +18775,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>le programme hapticell-ros2 n’est pas installé</translation>
+    </message>
+    <message>
         <source>the program has no lines</source>
         <translation>le programme n'a pas de lignes</translation>
     </message>
@@ -18625,6 +18836,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the robots %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>les robots %1</translation>
     </message>
     <message>
         <source>the rods do not reach the platform at the home position</source>
@@ -19019,6 +19233,17 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>sujet %1</translation>
+    </message>
+    <message>
+        <source>topic %1, message %2</source>
+        <translation>sujet %1, message %2</translation>
+    </message>
+    <message>
+        <source>topics</source>
+        <translation>sujets</translation>
+    </message>
+    <message>
         <source>touches %1</source>
         <translation>touche %1</translation>
     </message>
@@ -19377,6 +19602,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>zstd, lz4 or none</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>zstd, lz4 ou aucune</translation>
     </message>
     <message>
         <source>°</source>

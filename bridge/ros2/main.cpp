@@ -53,6 +53,7 @@ hapticell::Expected<nlohmann::ordered_json> listen(const nlohmann::json& job) {
   options.workcell = job.value("workcell", "");
   options.entity = job.value("entity", "");
   options.mirrored = job.value("mirror", "");
+  options.objects = job.value("objects", false);
   options.joint_topic = job.value("joint_topic", options.joint_topic);
   options.trajectory_topic = job.value("trajectory_topic", options.trajectory_topic);
   options.seconds = job.value("seconds", options.seconds);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "bridge/ros2/collision_objects.h"
 #include "bridge/ros2/ros_conversion.h"
 #include "geometry/system/atomic_file.h"
 #include "trajectory/files/trajectory_io.h"
@@ -79,12 +80,12 @@ class HeardJoints {
 
 /// Readers for what was asked for; 0: not asked.
 struct Readers {
-  dds_entity_t joints = 0, trajectory = 0, description = 0;
+  dds_entity_t joints = 0, trajectory = 0, description = 0, scene = 0, object = 0;
 };
 
 Expected<Readers> openReaders(RosNode& node, const ListenOptions& options) {
   Readers readers;
-  if (!options.motion.empty() || !options.mirrored.empty()) {
+  if (!options.motion.empty() || !options.entity.empty()) {
     const auto reader = node.subscribe(options.joint_topic, sensor_msgs_msg_dds__JointState__desc, RosQuality::kSensor);
     HAPTICELL_TRY(reader);
     readers.joints = *reader;
@@ -100,8 +101,17 @@ Expected<Readers> openReaders(RosNode& node, const ListenOptions& options) {
     HAPTICELL_TRY(reader);
     readers.description = *reader;
   }
-  if (readers.joints == 0 && readers.trajectory == 0 && readers.description == 0)
-    return makeError({"", "ros2 listen", "nothing to listen for", "--output, --trajectory, --description or --mirror", ""});
+  if (options.objects) {
+    const auto scene = node.subscribe("/planning_scene", moveit_msgs_msg_dds__PlanningScene__desc, RosQuality::kLatched);
+    HAPTICELL_TRY(scene);
+    const auto object =
+        node.subscribe("/collision_object", moveit_msgs_msg_dds__CollisionObject__desc, RosQuality::kDefault);
+    HAPTICELL_TRY(object);
+    readers.scene = *scene;
+    readers.object = *object;
+  }
+  if (readers.joints == 0 && readers.trajectory == 0 && readers.description == 0 && readers.scene == 0)
+    return makeError({"", "ros2 listen", "nothing to listen for", "--output, --trajectory, --description, --entity or --objects", ""});
   return readers;
 }
 
@@ -111,32 +121,39 @@ tl::unexpected<Error> nothingCame(const std::string& topic, double seconds) {
                     "Check ROS_DOMAIN_ID on both sides, and that the network lets multicast through."});
 }
 
-/// The cell with the robot's joints as they were heard.
-Expected<workcell::Document> mirroredCell(const ListenOptions& options, const std::map<std::string, double>& last) {
-  Diagnostics ignored;
-  auto document = workcell::loadDocument(options.workcell, ignored);
-  HAPTICELL_TRY(document);
-  const workcell::Entity* const robot = document->findByName(options.entity);
+/// Sets the robot's joints as they were heard.
+Expected<void> mirrorRobot(workcell::Document& document, const ListenOptions& options,
+                           const std::map<std::string, double>& last) {
+  const workcell::Entity* const robot = document.findByName(options.entity);
   if (!robot || !workcell::isMachine(*robot))
     return makeError({options.workcell, Text("entity '%1'", options.entity), "no robot of this name", "a robot of the cell", ""});
   const kinematics::RobotModel& model = *robot->robot();
   std::vector<double> joints = robot->joints();
   std::size_t known = 0;
+  std::string names;
   for (const auto& [name, position] : last) {
+    names += (names.empty() ? "" : ", ") + name;
     const int joint = model.findJoint(name);
     const int variable = joint < 0 ? -1 : model.joints[static_cast<std::size_t>(joint)].variable;
     if (variable < 0) continue;
     joints[static_cast<std::size_t>(variable)] = position;
     ++known;
   }
-  if (known == 0) {
-    std::string names;
-    for (const auto& [name, position] : last) names += (names.empty() ? "" : ", ") + name;
+  if (known == 0)
     return makeError({options.joint_topic, "", Text("joints %1", names), Text("joints of '%1'", options.entity), ""});
-  }
-  const auto changed = document->execute(workcell::SetJoints{robot->id, joints});
+  const auto changed = document.execute(workcell::SetJoints{robot->id, joints});
   HAPTICELL_TRY(changed);
-  return document;
+  return {};
+}
+
+/// The cell with what was heard, as a new file.
+Expected<void> writeMirror(const ListenOptions& options, const HeardJoints& joints, const HeardObjects& objects) {
+  Diagnostics ignored;
+  auto document = workcell::loadDocument(options.workcell, ignored);
+  HAPTICELL_TRY(document);
+  if (!options.entity.empty()) HAPTICELL_TRY(mirrorRobot(*document, options, joints.last()));
+  if (options.objects) HAPTICELL_TRY(objects.addTo(*document, options.mirrored));
+  return workcell::saveDocument(*document, options.mirrored);
 }
 
 }  // namespace
@@ -147,6 +164,7 @@ Expected<ordered_json> listen(const ListenOptions& options, const std::atomic<bo
   const auto readers = openReaders(**node, options);
   HAPTICELL_TRY(readers);
   HeardJoints joints;
+  HeardObjects objects;
   std::optional<Expected<Trajectory>> trajectory;
   std::string description;
   std::size_t writers = 0;
@@ -163,14 +181,19 @@ Expected<ordered_json> listen(const ListenOptions& options, const std::atomic<bo
     if (readers->description != 0)
       takeAll<std_msgs_msg_dds__String_>(readers->description,
                                          [&](const auto& text) { description = text.data ? text.data : ""; });
+    if (readers->scene != 0) {
+      takeAll<moveit_msgs_msg_dds__PlanningScene_>(readers->scene, [&](const auto& scene) { objects.take(scene); });
+      takeAll<moveit_msgs_msg_dds__CollisionObject_>(readers->object, [&](const auto& object) { objects.take(object); });
+    }
     const bool has_all = (readers->trajectory == 0 || trajectory) && (readers->description == 0 || !description.empty());
-    if (readers->joints == 0 && has_all) break;
+    if (readers->joints == 0 && readers->scene == 0 && has_all) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   if (readers->joints != 0 && joints.motion().empty()) return nothingCame(options.joint_topic, options.seconds);
   if (readers->trajectory != 0 && !trajectory) return nothingCame(options.trajectory_topic, options.seconds);
   if (readers->description != 0 && description.empty()) return nothingCame("/robot_description", options.seconds);
+  if (readers->scene != 0 && objects.size() == 0) return nothingCame("/planning_scene", options.seconds);
   ordered_json result;
   std::vector<FileToWrite> files;
   const auto add_motion = [&](const std::string& file, const Trajectory& motion) {
@@ -183,16 +206,15 @@ Expected<ordered_json> listen(const ListenOptions& options, const std::atomic<bo
     result["trajectory_points"] = (*trajectory)->size();
   }
   if (!description.empty()) files.push_back({options.description, description});
-  if (!options.mirrored.empty()) {
-    auto cell = mirroredCell(options, joints.last());
-    HAPTICELL_TRY(cell);
-    HAPTICELL_TRY(workcell::saveDocument(*cell, options.mirrored));
-  }
+  if (!options.mirrored.empty()) HAPTICELL_TRY(writeMirror(options, joints, objects));
   HAPTICELL_TRY(writeFilesAtomically(files));
   result["joint_states"] = joints.count();
   result["frames"] = joints.motion().size();
   result["left_out"] = joints.odd();
   result["writers"] = writers;
+  result["objects"] = objects.size();
+  result["notes"] = ordered_json::array();
+  for (const Text& note : objects.notes()) result["notes"].push_back(english(note));
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/kit/result_writer.h"
 #include "cli/kit/server_address.h"
 #include "cli/ros2/bridge_call.h"
+#include "cli/ros2/package_command.h"
 
 namespace hapticell::cli {
 
@@ -33,6 +34,7 @@ struct PublishWords {
 struct ListenWords {
   RosWords ros;
   std::string output, trajectory, description, workcell, entity, mirror;
+  bool objects = false;
   std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
 };
 
@@ -91,8 +93,9 @@ ExitStatus runPublish(const PublishWords& words, const ResultWriter& writer) {
 }
 
 ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
-  if (words.mirror.empty() != words.workcell.empty() || words.mirror.empty() != words.entity.empty()) {
-    report({"", "--mirror", "--workcell, --entity and --mirror are not all given", "all three, or none", ""});
+  const bool has_content = !words.entity.empty() || words.objects;
+  if (words.mirror.empty() != words.workcell.empty() || words.mirror.empty() == has_content) {
+    report({"", "--mirror", "--workcell, --mirror and --entity or --objects are not all given", "all of them, or none", ""});
     return ExitStatus::kBadInput;
   }
   return runBridge({{"do", "listen"},
@@ -102,9 +105,18 @@ ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
                     {"workcell", words.workcell},
                     {"entity", words.entity},
                     {"mirror", words.mirror},
+                    {"objects", words.objects},
                     {"joint_topic", words.joint_topic},
                     {"trajectory_topic", words.trajectory_topic}},
                    words.ros, writer);
+}
+
+ExitStatus runPackage(const PackageWords& words, const ResultWriter& writer) {
+  const auto result = writeRosPackage(words);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
 }
 
 void addRosOptions(Subcommand command, RosWords& words, const char* seconds) {
@@ -134,6 +146,17 @@ void addRos2Command(Subcommand app, Action& chosen) {
   addRosOptions(publish, out->ros, "Shortest duration, s (10); 0: until the motion ends or Ctrl+C");
   publish.onChosen([out, &chosen] { chosen = [out](ResultWriter& writer) { return runPublish(*out, writer); }; });
 
+  const auto package = std::make_shared<PackageWords>();
+  Subcommand write = command.add("package", "Write a robot of a cell as a package: URDF, SRDF, limits, launch file");
+  write.option("--workcell", package->workcell, "Workcell document, *.hcell").takes(ValueKind::kWorkcell).required();
+  write.option("--entity", package->entity, "Robot of the cell (default: the only one)");
+  write.option("-o,--output", package->output, "New folder; its name is that of the package")
+      .takes(ValueKind::kFolder)
+      .required();
+  write.option("--samples", package->samples, "Random positions for the pairs that need no check (100000)")
+      .withinWhole(1, 10'000'000);
+  write.onChosen([package, &chosen] { chosen = [package](ResultWriter& writer) { return runPackage(*package, writer); }; });
+
   const auto in = std::make_shared<ListenWords>();
   Subcommand listen = command.add("listen", "Take joints, motions or a robot's description from ROS 2");
   listen.option("-o,--output", in->output, "Motion to write from the joint states that come: .htraj or .csv")
@@ -144,7 +167,8 @@ void addRos2Command(Subcommand app, Action& chosen) {
   listen.option("--workcell", in->workcell, "Workcell whose robot takes the last joint states")
       .takes(ValueKind::kWorkcell);
   listen.option("--entity", in->entity, "That robot");
-  listen.option("--mirror", in->mirror, "Workcell to write with the robot as it was heard").takes(ValueKind::kWorkcell);
+  listen.flag("--objects", in->objects, "Take the collision objects of /planning_scene and /collision_object");
+  listen.option("--mirror", in->mirror, "Workcell to write with what was heard").takes(ValueKind::kWorkcell);
   listen.option("--joint-topic", in->joint_topic, "Topic of the joint states (/joint_states)");
   listen.option("--trajectory-topic", in->trajectory_topic, "Topic of the motion (/joint_trajectory)");
   addRosOptions(listen, in->ros, "How long to listen, s (10)");

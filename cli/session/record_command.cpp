@@ -12,9 +12,11 @@
 #include "exchange/recordings/recording_reader.h"
 #include "exchange/recordings/recording_writer.h"
 #include "exchange/recordings/trace_table.h"
+#include "geometry/system/regular_file.h"
 #include "geometry/system/text_case.h"
 #include "haptic/client/tcp_link.h"
 #include "haptic/protocol/link_problem.h"
+#include "manipulation/session/exercise.h"
 #include "trajectory/files/trajectory_io.h"
 #include "trajectory/training/training.h"
 
@@ -46,9 +48,23 @@ Expected<void> addTraining(const fs::path& file, Recording& recording) {
   return {};
 }
 
+/// An exercise: the expert's motion, and its file as an attachment.
+Expected<void> addExercise(const fs::path& file, Recording& recording) {
+  const auto exercise = manipulation::readExercise(file);
+  HAPTICELL_TRY(exercise);
+  auto expert = trajectory::readTrajectory(exercise->recording);
+  HAPTICELL_TRY(expert);
+  auto text = geometry::readRegularFile(file);
+  HAPTICELL_TRY(text);
+  recording.motions.push_back(std::move(*expert));
+  recording.files.emplace_back(file.filename().string(), std::move(*text));
+  return {};
+}
+
 Expected<void> addFile(const std::string& name, const std::string& topic, Recording& recording) {
   const fs::path file(name);
   if (lowerExtension(file) == ".htrain") return addTraining(file, recording);
+  if (lowerExtension(file) == ".hexercise") return addExercise(file, recording);
   if (exchange::isMcapFile(file)) {
     auto read = exchange::readMcapRecording(file, topic);
     HAPTICELL_TRY(read);
@@ -209,7 +225,7 @@ void addRecordCommand(Subcommand app, Action& chosen) {
   const auto words = std::make_shared<RecordWords>();
   command
       .option("--from", words->from,
-              "File to write: a motion, a trace of a session, results of a trainee, or MCAP; can be repeated")
+              "File to write: a motion, a trace of a session, an exercise, results of a trainee, or MCAP; can be repeated")
       .takes(ValueKind::kFile)
       .oneAtATime();
   command.option("--topic", words->topic, "Topic of an MCAP file of another program");

@@ -233,6 +233,26 @@ int main(int argc, char** argv) {
             m.points().push_back(p);
           }
         });
+  } else if (type == "PlanningScene") {
+    status = writeTopic<moveit_msgs::msg::dds_::PlanningScene_PubSubType>(
+        participant, topic, count, number, latched, [](int, moveit_msgs::msg::dds_::PlanningScene_& m) {
+          m.is_diff(true);
+          moveit_msgs::msg::dds_::CollisionObject_ crate;
+          crate.id("crate");
+          crate.header().frame_id("world");
+          crate.pose().position().x(0.25);
+          crate.pose().position().z(1.5);
+          crate.pose().orientation().w(1.0);
+          shape_msgs::msg::dds_::SolidPrimitive_ box;
+          box.type(1);
+          box.dimensions({0.5, 0.25, 2.0});
+          crate.primitives().push_back(box);
+          geometry_msgs::msg::dds_::Pose_ pose;
+          pose.orientation().w(1.0);
+          crate.primitive_poses().push_back(pose);
+          m.world().collision_objects().push_back(crate);
+        });
+    std::this_thread::sleep_for(std::chrono::seconds(3));
   } else if (type == "String") {
     status = writeTopic<std_msgs::msg::dds_::String_PubSubType>(
         participant, topic, count, number, latched,
