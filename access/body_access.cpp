@@ -57,8 +57,12 @@ class Person {
     prepare();
     places_ = graspPlaces(scene.units()[unit], question.tool);
     best_.grasp = graspFor(scene.units()[unit], question.tool);
-    if (question.tool.length > 0.0)
-      tool_ = collision::MeshCollider::build(geometry::makeCylinder(question.tool.radius, question.tool.length));
+    if (question.tool.length > 0.0) {
+      // The room for the glove is around the hand only: the sweep adds it to the tool as well.
+      const double radius = std::max(question.tool.radius - question.glove, 0.2 * question.tool.radius);
+      const double length = std::max(question.tool.length - 2.0 * question.glove, 0.2 * question.tool.length);
+      tool_ = collision::MeshCollider::build(geometry::makeCylinder(radius, length));
+    }
   }
 
   BodyAccess answer(const std::atomic<bool>& cancel) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "collision/queries/mesh_search.h"
 
@@ -19,15 +21,27 @@ constexpr double kPinched = 0.06;
 /// twice that. Half: bottles are held flat; twice: buckets are gripped.
 constexpr double kGripped = 0.09;
 
-void add(std::vector<GraspPlace>& places, const RemovalUnit::Part& part, const dvec3& into_W, const Tool& tool) {
-  const auto& mesh = *part.part->mesh.collider;
-  const geometry::Bounds& box = mesh.bounds();
-  const dvec3 into_P = part.X_WP.inverse().rotate(into_W);
-  const double far = glm::length(box.size()) + 0.01;
-  const dvec3 from = box.center() - far * into_P;
-  const collision::RayHit hit = collision::castRay(mesh, from, into_P);
-  dvec3 p_P = hit.found ? hit.p_MQ : collision::nearestPoint(mesh, from).p_MQ;
-  const dvec3 p_W = part.X_WP * p_P;
+/// Where the unit is met from outside towards its middle; beside a hole the nearest point.
+dvec3 metAt(const RemovalUnit& unit, const dvec3& into_W) {
+  const double far = glm::length(unit.bounds_W.size()) + 0.01;
+  const dvec3 from_W = unit.bounds_W.center() - far * into_W;
+  double along = std::numeric_limits<double>::infinity(), near = along;
+  dvec3 nearest_W = from_W;
+  for (const RemovalUnit::Part& part : unit.parts) {
+    const auto& mesh = *part.part->mesh.collider;
+    const Pose X_PW = part.X_WP.inverse();
+    const collision::RayHit hit = collision::castRay(mesh, X_PW * from_W, X_PW.rotate(into_W));
+    if (hit.found) along = std::min(along, hit.along);
+    const auto point = collision::nearestPoint(mesh, X_PW * from_W);
+    if (point.distance >= near) continue;
+    near = point.distance;
+    nearest_W = part.X_WP * point.p_MQ;
+  }
+  return std::isfinite(along) ? from_W + along * into_W : nearest_W;
+}
+
+void add(std::vector<GraspPlace>& places, const RemovalUnit& unit, const dvec3& into_W, const Tool& tool) {
+  const dvec3 p_W = metAt(unit, into_W);
   const bool known = std::any_of(places.begin(), places.end(), [&](const GraspPlace& one) {
     return glm::length(one.p_WPart - p_W) < kSameGrasp && glm::dot(one.target.into_W, into_W) > 0.9;
   });
@@ -38,15 +52,12 @@ void add(std::vector<GraspPlace>& places, const RemovalUnit::Part& part, const d
 
 std::vector<GraspPlace> graspPlaces(const RemovalUnit& unit, const Tool& tool) {
   std::vector<GraspPlace> places;
-  const auto largest = std::max_element(unit.parts.begin(), unit.parts.end(), [](const auto& a, const auto& b) {
-    return a.bounds_W.radius() < b.bounds_W.radius();
-  });
-  if (largest == unit.parts.end()) return places;
-  add(places, *largest, {0.0, 0.0, -1.0}, tool);
-  const dmat3 R = largest->X_WP.R();
+  if (unit.parts.empty()) return places;
+  add(places, unit, {0.0, 0.0, -1.0}, tool);
+  const dmat3 R = unit.parts[0].X_WP.R();
   for (int i = 0; i < 3; ++i) {
-    add(places, *largest, -R[i], tool);
-    add(places, *largest, R[i], tool);
+    add(places, unit, -R[i], tool);
+    add(places, unit, R[i], tool);
   }
   return places;
 }

@@ -20,11 +20,10 @@ using workcell::EntityId;
 constexpr std::size_t kMostChecks = 20'000;
 /// s, far beyond what the checks take, so that it does not decide. Half and twice: no effect but on a stuck machine.
 constexpr double kTimeLimit = 60.0;
-constexpr std::size_t kMostGoals = 4;   ///< Sides of the box that are tried. Half: fewer; twice: up to all six.
-constexpr std::size_t kMostStarts = 3;  ///< Ends of straight pieces besides the rest. Half and twice: as kMostGoals.
+/// Ends of straight pieces that are tried besides the rest. Half: tight seats are not left; twice: twice the wait.
+constexpr std::size_t kMostStarts = 1;
 /// m: a first piece is at least this long. Half: still tight there; twice: shallow seats are not left.
 constexpr double kFirstPiece = 5e-3;
-constexpr double kHalf = 0.05;  ///< m, of the region that is the goal. Half and twice: hardly felt.
 
 /// The cell without what has gone and without persons; the unit thinned and detached.
 std::shared_ptr<const PreparedScene> sceneFor(const RemovalScene& scene, std::size_t unit, UnitSet gone) {
@@ -67,24 +66,6 @@ std::vector<Pose> startsOf(const RemovalScene& scene, std::size_t unit, UnitSet 
   return starts;
 }
 
-/// Places beside the sides of the box where the unit is out, whatever its turn; the nearest side first.
-std::vector<Pose> goalsOf(const RemovalScene& scene, std::size_t unit, const Pose& rest) {
-  const geometry::Bounds& bounds = scene.units()[unit].bounds_W;
-  const double size = bounds.radius() + glm::length(bounds.center() - rest.p) + kHalf;
-  std::vector<std::pair<double, Pose>> sides;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      Pose goal = rest;
-      goal.p[axis] = sign > 0.0 ? scene.box_W().max[axis] + size : scene.box_W().min[axis] - size;
-      sides.push_back({std::abs(goal.p[axis] - rest.p[axis]), goal});
-    }
-  }
-  sides = ordered(std::move(sides), [](const auto& side) { return side.first; });
-  std::vector<Pose> goals;
-  for (std::size_t i = 0; i < kMostGoals; ++i) goals.push_back(sides[i].second);
-  return goals;
-}
-
 bool isFree(const RemovalScene& scene, std::size_t unit, UnitSet gone, const RemovalWay& way) {
   UnitMotion motion(scene, unit, gone);
   for (std::size_t i = 1; i < way.X_WE.size(); ++i)
@@ -106,24 +87,17 @@ std::optional<RemovalWay> plannedWay(const RemovalScene& scene, std::size_t unit
   problem.stop = &cancel;
   const auto space = planning::FreeSpace::create(problem.scene, problem.entity, config::Configuration());
   if (!space) return std::nullopt;
-  const std::vector<Pose> goals = goalsOf(scene, unit, rest);
+  problem.goal = planning::goal::OutOfCell{};
   for (const Pose& start : startsOf(scene, unit, gone, rest)) {
+    if (cancel) return std::nullopt;
     problem.start = manipulation::EntityConfiguration{start, {}};
-    for (const Pose& goal : goals) {
-      if (cancel) return std::nullopt;
-      problem.goal = planning::goal::ToRegion{goal, dvec3(kHalf), M_PI};
-      const auto found = planning::plan(problem, *space);
-      if (!found || !found->isSolved()) {
-        // A start that is not free is not free for any goal.
-        if (found && found->failure->kind == planning::Failure::Kind::kStart) break;
-        continue;
-      }
-      RemovalWay way{RemovalWay::Kind::kPlanned, {rest}};
-      const bool has_piece = glm::length(start.p - rest.p) > 0.0;
-      for (std::size_t i = has_piece ? 0 : 1; i < found->plan->waypoints.size(); ++i)
-        way.X_WE.push_back(found->plan->waypoints[i].X_WE);
-      if (isFree(scene, unit, gone, way)) return way;
-    }
+    const auto found = planning::plan(problem, *space);
+    if (!found || !found->isSolved()) continue;
+    RemovalWay way{RemovalWay::Kind::kPlanned, {rest}};
+    const bool has_piece = glm::length(start.p - rest.p) > 0.0;
+    for (std::size_t i = has_piece ? 0 : 1; i < found->plan->waypoints.size(); ++i)
+      way.X_WE.push_back(found->plan->waypoints[i].X_WE);
+    if (isFree(scene, unit, gone, way)) return way;
   }
   return std::nullopt;
 }

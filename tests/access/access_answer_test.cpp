@@ -19,6 +19,11 @@ AccessAnswer ask(const AccessQuestion& question) {
 /// A block under a plate that `screws` screws hold: shanks in sockets, heads on the plate's rim.
 AccessCell screwedDown(int screws) {
   AccessCell cell = boxedIn(0.002, true);
+  // The lid cannot slide away under the heads.
+  for (const double side : {-1.0, 1.0}) {
+    cell.box(side < 0.0 ? "stop front" : "stop back", {0.1, 0.01, 0.01}, {0.0, 0.156 * side, 0.055}, true);
+    cell.box(side < 0.0 ? "stop left" : "stop right", {0.005, 0.05, 0.01}, {0.153 * side, 0.1, 0.055}, true);
+  }
   for (int i = 0; i < screws; ++i) {
     const double x = (i % 2 == 0 ? -1.0 : 1.0) * 0.165, y = 0.1 * (i / 2) - 0.1;
     const std::string name = "screw " + std::to_string(i + 1);

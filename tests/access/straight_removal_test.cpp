@@ -53,7 +53,9 @@ TEST(Ordered, KeepsEachItemWhole) {
   const auto sorted = ordered(items, [](const dvec3& item) { return item.y; });
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     EXPECT_LE(sorted[i - 1].y, sorted[i].y);
-    if (sorted[i - 1].y == sorted[i].y) EXPECT_LT(sorted[i - 1].x, sorted[i].x);
+    if (sorted[i - 1].y == sorted[i].y) {
+      EXPECT_LT(sorted[i - 1].x, sorted[i].x);
+    }
   }
   EXPECT_EQ(sorted[0].x, 1.0);
 }
