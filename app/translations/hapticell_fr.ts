@@ -411,6 +411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 donne %2.</translation>
     </message>
     <message>
+        <source>%1 goals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 goes with %2, which the other stylus holds</source>
         <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
@@ -1491,6 +1495,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : sur %2 modèles, seul '%3' est lu, car il a des axes mobiles</translation>
     </message>
     <message>
+        <source>%1: one a variable of '%2'</source>
+        <translation>%1 : une par variable de « %2 »</translation>
+    </message>
+    <message>
         <source>%1: one lies inside the other</source>
         <translation>%1 : l'une est à l'intérieur de l'autre</translation>
     </message>
@@ -1581,6 +1589,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1; expected %2</source>
         <translation>%1 ; attendu : %2</translation>
+    </message>
+    <message>
+        <source>%1; most often %2 was in the way</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1; no limit is assumed</source>
@@ -2111,6 +2123,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>--set forces</translation>
     </message>
     <message>
+        <source>--set plan_goal</source>
+        <translation>--set plan_goal</translation>
+    </message>
+    <message>
+        <source>--set plan_goal=... with it</source>
+        <translation>--set plan_goal=... avec elle</translation>
+    </message>
+    <message>
+        <source>--set plan_hints</source>
+        <translation>--set plan_hints</translation>
+    </message>
+    <message>
         <source>--set safety_distance</source>
         <translation>--set safety_distance</translation>
     </message>
@@ -2141,6 +2165,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--to</source>
         <translation>--to</translation>
+    </message>
+    <message>
+        <source>--to, --to-joints, --out</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--tolerance, --angle-tolerance</source>
@@ -2207,6 +2235,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
     </message>
     <message>
+        <source>.htraj or .csv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2269,6 +2301,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>0 to 1 m</source>
         <translation>de 0 à 1 m</translation>
+    </message>
+    <message>
+        <source>0 to 10 metres</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>0 to 6</source>
@@ -2887,6 +2923,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Comme enregistré</translation>
     </message>
     <message>
+        <source>Ask for a larger clearance, or for another seed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ask for a stature instead.</source>
         <translation>Indiquez plutôt une stature.</translation>
     </message>
@@ -2961,6 +3001,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Attached to %1 of %2</source>
         <translation>Attaché à %1 de %2</translation>
+    </message>
+    <message>
+        <source>Authority of a planner beside the hand</source>
+        <translation>Autorité d'un planificateur à côté de la main</translation>
     </message>
     <message>
         <source>Avoid collisions</source>
@@ -3449,6 +3493,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clear the list</source>
         <translation>Effacer la liste</translation>
+    </message>
+    <message>
+        <source>Clearance of its way</source>
+        <translation>Dégagement de son chemin</translation>
     </message>
     <message>
         <source>Clearance, nearest pair</source>
@@ -10499,6 +10547,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
+        <source>a clearance that is not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a colour out of range</source>
         <translation>une couleur hors limites</translation>
     </message>
@@ -10805,6 +10857,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a high risk</source>
         <translation>un risque élevé</translation>
+    </message>
+    <message>
+        <source>a hint that is not valid</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a home position in which the six legs fix the platform</source>
@@ -11127,8 +11183,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement en AMC</translation>
     </message>
     <message>
+        <source>a motion of '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a motion of one hand only</source>
         <translation>le mouvement d'une main seule</translation>
+    </message>
+    <message>
+        <source>a motion of the entity that was planned for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not define</source>
@@ -11293,6 +11357,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a part that the file still has</source>
         <translation>une pièce encore présente dans le fichier</translation>
+    </message>
+    <message>
+        <source>a path cannot be planned for a %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a path of fewer than two points</source>
@@ -11495,6 +11563,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier d'un robot ou library:NAME, ou --collision-free avec --workcell et --entity</translation>
     </message>
     <message>
+        <source>a robot, a mechanism or a solid with a shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a robot, which can have a tool</source>
         <translation>un robot, qui peut avoir un outil</translation>
     </message>
@@ -11653,6 +11725,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a start or end speed that the limits do not allow</source>
         <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
+    </message>
+    <message>
+        <source>a start that is not valid</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a step above 0 that gives at most 10 million frames</source>
@@ -12719,6 +12795,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus peak_force, %1</translation>
     </message>
     <message>
+        <source>at the start %1 is %2 from %3, nearer than the clearance of %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the start %1 touches %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
@@ -13199,6 +13283,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des surfaces exactes</translation>
     </message>
     <message>
+        <source>exactly one of these options</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>exactly one robot in a URDF</source>
         <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
@@ -13305,6 +13393,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>finite numbers and a unit quaternion</source>
         <translation>des nombres finis et un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>finite numbers for all joints</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>finite numbers of a plausible size</source>
@@ -13873,6 +13965,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>joint '%1' names the link '%2', which is not in the file</source>
         <translation>l'axe '%1' cite le segment '%2', qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>joint '%1' of the goal is outside its limits</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>joint '%1' twice</source>
@@ -14731,6 +14827,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun chemin</translation>
     </message>
     <message>
+        <source>no plan: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plan_goal</source>
+        <translation>pas de plan_goal</translation>
+    </message>
+    <message>
         <source>no points</source>
         <translation>pas de points</translation>
     </message>
@@ -14817,6 +14921,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no variant %1</source>
         <translation>pas de variante %1</translation>
+    </message>
+    <message>
+        <source>no way to the goal was found in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no way to the goal was found with %1 checks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no work task is named '%1'</source>
@@ -15201,6 +15313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>out of range</source>
         <translation>hors limites</translation>
+    </message>
+    <message>
+        <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
+        <translation>out, frame:NOM, pose:x,y,z,qw,qx,qy,qz (mètres et quaternion de longueur 1) ou joints:q1,q2,... (radians ou mètres)</translation>
     </message>
     <message>
         <source>outside the folder: %1</source>
@@ -16379,6 +16495,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>les repères de %1 ne sont pas orientés comme à la position de repos ; ils sont déduits des positions des articulations</translation>
     </message>
     <message>
+        <source>the goal is not free with a clearance of %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the goal is out of reach of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the goal of '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the guide's name</source>
         <translation>le nom du guide virtuel</translation>
     </message>
@@ -16509,6 +16637,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
+    </message>
+    <message>
+        <source>the limits of its joints keep the tool of %1 from the goal</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the link does not exist</source>
@@ -16783,6 +16915,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les places des fichiers importés</translation>
     </message>
     <message>
+        <source>the plan for '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the platform</source>
         <translation>la plateforme</translation>
     </message>
@@ -16959,6 +17095,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'état du stylet n'arrive plus</translation>
     </message>
     <message>
+        <source>the start is not free: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the start value of joint '%1' is not a number</source>
         <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
     </message>
@@ -17113,6 +17253,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>there is no joint for the spine; the trunk moves as one piece</source>
         <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
+    </message>
+    <message>
+        <source>there is no room around the place where it is</source>
+        <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
@@ -17529,6 +17673,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>x,y,z,qw,qx,qy,qz</source>
         <translation>x,y,z,qw,qx,qy,qz</translation>
+    </message>
+    <message>
+        <source>x,y,z,qw,qx,qy,qz: metres and a quaternion of length 1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>yes</source>
