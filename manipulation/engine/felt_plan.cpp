@@ -38,7 +38,7 @@ constexpr double kTurnSeen = 1e-3;
 constexpr double kInsists = 0.5, kFalls = 0.25, kReturns = 1.0;
 /// m of hand between two configurations of the trail. Half: twice as many; twice: narrow bends are cut.
 constexpr double kTrailSpacing = 0.003;
-/// m a radian of hand, as in trajectory::PathProgress; and m of way that is looked at for the nearest place. Half of
+/// m a radian, as in trajectory::PathProgress and PlanView; and m of way of hand that is looked at for the nearest place. Half of
 /// either: progress is lost where the hand is fast; twice: ways that come back are taken for the way there.
 constexpr double kMetresPerRadian = 0.1, kProgressReach = 0.03;
 
@@ -110,7 +110,7 @@ void FeltPlan::look(const HeldEntity& held, const CellState& cell, double scale)
 }
 
 /// A new way: the share comes back when it is the answer to the hand.
-void FeltPlan::adopt(const Pose& X_WM, double scale) {
+void FeltPlan::adopt(const Pose& X_WM) {
   const std::shared_ptr<const PlannedWay> newest = source_->newest();
   if (newest == state_.way) return;
   state_.way = newest;
@@ -119,7 +119,7 @@ void FeltPlan::adopt(const Pose& X_WM, double scale) {
     return;
   }
   ++state_.ways;
-  progress_ = trajectory::PathProgress(motionOf(newest->X_WM), kMetresPerRadian * scale);
+  progress_ = trajectory::PathProgress(motionOf(newest->X_WM), kMetresPerRadian);
   // The hand has gone on while the way was worked out.
   progress_.follow(X_WM, progress_.length());
   if (newest->answers < state_.insistences) return;
@@ -193,7 +193,7 @@ bool FeltPlan::step(const HeldEntity& held, HandMapping& hand, const Pose& X_DP,
   const double scale = hand.mapping().scale(), dt = std::min(cell.clock().stepTime(), 0.1);
   const Pose X_WM = held.movedFrame();
   look(held, cell, scale);
-  adopt(X_WM, scale);
+  adopt(X_WM);
   if (!state_.way || state_.reached) {
     const bool led = std::exchange(leads_, false);
     state_.share = 0.0;

@@ -52,7 +52,7 @@ class FeltPlan {
 
  private:
   void look(const HeldEntity& held, const CellState& cell, double scale);
-  void adopt(const Pose& X_WM, double scale);
+  void adopt(const Pose& X_WM);
   void watchHand(const Pose& X_WM, double scale, double dt);
   double aheadOn(double scale) const;
   dvec3 wantedPoint(double scale) const;
