@@ -78,7 +78,16 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   const Pose X_DStart = Pose::translation(-0.5 * way / scene.scale);
   options.hand = haptic::HandPath({{0.0, X_DStart, 0}, {limit, X_DStart, 0}});
   options.assistance = {planner, 1.0};
-  const auto report = manipulation::runSession(options);
+  manipulation::TraceSink trace;
+  if (const char* tells = std::getenv("ASSISTED_TELLS"); tells && tells[0] == '2') {
+    trace = [](const manipulation::TraceRow& row) {
+      if (std::lround(1e3 * row.t) % 500 != 0) return;
+      std::fprintf(stderr, "    %.1f s: %.3f %.3f %.3f (%.2f %.2f %.2f %.2f) force %.2f %.2f %.2f %s\n", row.t, row.X_WM.p.x,
+                   row.X_WM.p.y, row.X_WM.p.z, row.X_WM.q.w, row.X_WM.q.x, row.X_WM.q.y, row.X_WM.q.z, row.force_D.x,
+                   row.force_D.y, row.force_D.z, row.contact ? "contact" : "");
+    };
+  }
+  const auto report = manipulation::runSession(options, trace);
   if (!report) {
     std::fprintf(stderr, "%s\n", report.error().message().c_str());
     std::exit(2);
@@ -138,9 +147,10 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
     return std::string(text);
   };
-  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f | %.2f |\n", name.c_str(), cell(hand).c_str(),
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(), cell(hand).c_str(),
               cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / both.runs,
-              static_cast<double>(both.insistences) / both.runs, both.most_step, 1e3 * both.least_energy);
+              static_cast<double>(both.insistences) / both.runs, hand.most_step, both.most_step, 1e3 * hand.least_energy,
+              1e3 * both.least_energy);
   std::fflush(stdout);
 }
 
@@ -159,7 +169,7 @@ int main(int argc, char** argv) {
     else wanted.push_back(word);
   }
   if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
-  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms | mJ |\n"
+  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both | mJ, hand / both |\n"
               "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& one : wanted) {
     if (one == "extraction") compare([](std::uint64_t) { return extractionScene(); }, limits);

@@ -110,7 +110,8 @@ std::vector<Sliding> movedSlidings() {
   return all;
 }
 
-/// Under the pull of a changing plan, within what is asked without it.
+/// Under the pull of a changing plan, within what is asked without it; along a hinge the hand is thrown at its stop, so
+/// there the steps and depths are only reported (docs/dev/feel.md).
 std::vector<Sliding> plannedSlidings() {
   std::vector<Sliding> all;
   for (const char* name : {"flat wall", "cylinder R50", "bore R10", "corner of three planes", "hinge with stop"}) {
@@ -121,7 +122,9 @@ std::vector<Sliding> plannedSlidings() {
         HAPTICELL_TRY(plain);
         return plannedScene(std::move(*plain));
       };
-      all.push_back({{scene.name + ", changing plan", make}, {}, kSlide, "PLAN"});
+      Limits limits;
+      if (scene.name == "hinge with stop") limits.step = limits.depth = limits.depth_worst = -1.0;
+      all.push_back({{scene.name + ", changing plan", make}, limits, kSlide, "PLAN"});
     }
   }
   return all;

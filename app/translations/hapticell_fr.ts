@@ -443,6 +443,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 buts</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 goes with %2, which the other stylus holds</source>
         <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
@@ -1604,6 +1607,9 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>%1 : une par variable de « %2 »</translation>
+    </message>
+    <message>
         <source>%1: one lies inside the other</source>
         <translation>%1 : l'une est à l'intérieur de l'autre</translation>
     </message>
@@ -1698,6 +1704,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1; most often %2 was in the way</source>
         <translation>%1 ; le plus souvent, %2 faisait obstacle</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1; no limit is assumed</source>
@@ -2267,6 +2276,17 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <translation>--set plan_goal</translation>
+    </message>
+    <message>
+        <source>--set plan_goal=... with it</source>
+        <translation>--set plan_goal=... avec elle</translation>
+    </message>
+    <message>
+        <source>--set plan_hints</source>
+        <translation>--set plan_hints</translation>
+    </message>
+    <message>
         <source>--set safety_distance</source>
         <translation>--set safety_distance</translation>
     </message>
@@ -2301,6 +2321,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--to, --to-joints, --out</source>
         <translation>--to, --to-joints, --out</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--tolerance, --angle-tolerance</source>
@@ -2383,6 +2406,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>.htraj, .csv ou .mcap pour un mouvement</translation>
     </message>
     <message>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
         <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
     </message>
@@ -2461,6 +2489,11 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>0 to 232</source>
         <translation>0 à 232</translation>
+    </message>
+    <message>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>0 to 6</source>
@@ -3150,6 +3183,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>Demandez une distance de passage plus grande, ou une autre graine.</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ask for a stature instead.</source>
         <translation>Indiquez plutôt une stature.</translation>
     </message>
@@ -3244,6 +3280,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Authority of a planner beside the hand</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>Autorité d'un planificateur à côté de la main</translation>
     </message>
     <message>
         <source>Avoid collisions</source>
@@ -3784,6 +3823,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clearance of its way</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance of its way</source>
+        <translation>Dégagement de son chemin</translation>
     </message>
     <message>
         <source>Clearance, nearest pair</source>
@@ -11513,6 +11556,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un bloc de %1 Mo</translation>
     </message>
     <message>
+        <source>a clearance that is not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a colour out of range</source>
         <translation>une couleur hors limites</translation>
     </message>
@@ -11838,6 +11885,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a hint that is not valid</source>
         <translation>une indication non valable</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a home position in which the six legs fix the platform</source>
@@ -12202,12 +12252,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement de « %1 »</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a motion of one hand only</source>
         <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
         <source>a motion of the entity that was planned for</source>
         <translation>un mouvement de l’entité planifiée</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not define</source>
@@ -12396,6 +12452,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a path cannot be planned for a %1</source>
         <translation>aucun trajet ne peut être planifié pour une entité du type %1</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a path of fewer than two points</source>
@@ -12649,6 +12708,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot, un mécanisme ou un solide avec une forme</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a robot, which can have a tool</source>
         <translation>un robot, qui peut avoir un outil</translation>
     </message>
@@ -12830,6 +12892,8 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a state of the server</source>
+    </message>
+    <message>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -14012,6 +14076,13 @@ Voulez-vous le remplacer ?</translation>
         <translation>au départ, %1 touche %2</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the start %1 touches %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
@@ -14542,6 +14613,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>exactement une de ces options</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>exactly one robot in a URDF</source>
         <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
@@ -14656,6 +14730,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>finite numbers for all joints</source>
         <translation>des nombres finis pour toutes les articulations</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>finite numbers of a plausible size</source>
@@ -15339,6 +15416,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>joint '%1' of the goal is outside its limits</source>
         <translation>l’articulation « %1 » du but est hors de ses limites</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>joint '%1' twice</source>
@@ -16338,6 +16418,15 @@ Voulez-vous le remplacer ?</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plan_goal</source>
+        <translation>pas de plan_goal</translation>
+    </message>
+    <message>
         <source>no points</source>
         <translation>pas de points</translation>
     </message>
@@ -16460,6 +16549,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no way to the goal was found with %1 checks</source>
         <translation>aucun chemin vers le but n’a été trouvé en %1 vérifications</translation>
+    </message>
+    <message>
+        <source>no way to the goal was found in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no way to the goal was found with %1 checks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no work task is named '%1'</source>
@@ -16932,6 +17029,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
+        <translation>out, frame:NOM, pose:x,y,z,qw,qx,qy,qz (mètres et quaternion de longueur 1) ou joints:q1,q2,... (radians ou mètres)</translation>
     </message>
     <message>
         <source>outside the folder: %1</source>
@@ -18295,6 +18396,17 @@ Voulez-vous le remplacer ?</translation>
         <translation>le but ne dit pas quoi regarder</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the goal is out of reach of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the goal of '%1'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the guide's name</source>
         <translation>le nom du guide virtuel</translation>
     </message>
@@ -18429,6 +18541,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the limits of its joints keep the tool of %1 from the goal</source>
         <translation>les limites de ses articulations empêchent l’outil de %1 d’atteindre le but</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the link does not exist</source>
@@ -18711,6 +18826,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>le trajet de « %1 »</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the platform</source>
         <translation>la plateforme</translation>
     </message>
@@ -18905,6 +19023,9 @@ Voulez-vous le remplacer ?</translation>
         <translation>le départ n’est pas libre : %1</translation>
     </message>
     <message>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the start value of joint '%1' is not a number</source>
         <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
     </message>
@@ -19083,6 +19204,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>these parts are not checked</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
@@ -19578,6 +19702,9 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>x,y,z,qw,qx,qy,qz: metres and a quaternion of length 1</source>
         <translation>x,y,z,qw,qx,qy,qz : mètres et un quaternion de longueur 1</translation>
+    </message>
+    <message>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>yes</source>

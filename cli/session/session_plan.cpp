@@ -109,13 +109,12 @@ nlohmann::ordered_json planJson(const manipulation::SessionPlan& plan, const man
                               {"solved_s", plan.solved ? nlohmann::ordered_json(plan.solved_s) : nullptr},
                               {"ways", plan.ways},
                               {"insistences", plan.insistences}};
-  const auto* planner = dynamic_cast<const planning::LivePlanner*>(options.assistance->planner.get());
-  if (planner != nullptr) {
-    const planning::LivePlanner::Figures figures = planner->figures();
-    json["searches"] = figures.searches;
-    json["searches_found"] = figures.found;
-    json["failure"] = figures.failure ? nlohmann::ordered_json(english(figures.failure->reason)) : nullptr;
-  }
+  // What addPlanner() made.
+  const auto& planner = static_cast<const planning::LivePlanner&>(*options.assistance->planner);
+  const planning::LivePlanner::Figures figures = planner.figures();
+  json["searches"] = figures.searches;
+  json["searches_found"] = figures.found;
+  json["failure"] = figures.failure ? nlohmann::ordered_json(english(figures.failure->reason)) : nullptr;
   json["authority"] = nlohmann::ordered_json::array();
   for (const auto& [t, value] : plan.authority) json["authority"].push_back({t, value});
   return json;

@@ -28,8 +28,8 @@ constexpr double kBend = 0.002;
 constexpr double kTurnSpeed = 1.0;
 /// s to turn what is left, so that it ends gently. Half and twice: half and twice of that.
 constexpr double kTurnTime = 0.15;
-/// rad of wanted turning that the entity has not followed: something is in the way. Half: stops at each slight touch;
-/// twice: presses on for a tenth of a second longer.
+/// rad of wanted turning that the entity has not followed: something is in the way. Half: a wrist that trembles is not
+/// felt; twice: presses on for a tenth of a second longer.
 constexpr double kTurnLag = 0.03;
 /// rad, m: turning by so much makes a new set. Half: twice the sets; twice: contacts are 0.3 mm off at 0.1 m.
 constexpr double kTurnSeen = 1e-3;
@@ -38,7 +38,7 @@ constexpr double kTurnSeen = 1e-3;
 constexpr double kInsists = 0.5, kFalls = 0.25, kReturns = 1.0;
 /// m of hand between two configurations of the trail. Half: twice as many; twice: narrow bends are cut.
 constexpr double kTrailSpacing = 0.003;
-/// m a radian of hand, as in trajectory::PathProgress; and m of way that is looked at for the nearest place. Half of
+/// m a radian, as in trajectory::PathProgress and PlanView; and m of way of hand that is looked at for the nearest place. Half of
 /// either: progress is lost where the hand is fast; twice: ways that come back are taken for the way there.
 constexpr double kMetresPerRadian = 0.1, kProgressReach = 0.03;
 
@@ -110,7 +110,7 @@ void FeltPlan::look(const HeldEntity& held, const CellState& cell, double scale)
 }
 
 /// A new way: the share comes back when it is the answer to the hand.
-void FeltPlan::adopt(const Pose& X_WM, double scale) {
+void FeltPlan::adopt(const Pose& X_WM) {
   const std::shared_ptr<const PlannedWay> newest = source_->newest();
   if (newest == state_.way) return;
   state_.way = newest;
@@ -119,7 +119,7 @@ void FeltPlan::adopt(const Pose& X_WM, double scale) {
     return;
   }
   ++state_.ways;
-  progress_ = trajectory::PathProgress(motionOf(newest->X_WM), kMetresPerRadian * scale);
+  progress_ = trajectory::PathProgress(motionOf(newest->X_WM), kMetresPerRadian);
   // The hand has gone on while the way was worked out.
   progress_.follow(X_WM, progress_.length());
   if (newest->answers < state_.insistences) return;
@@ -157,17 +157,17 @@ double FeltPlan::aheadOn(double scale) const {
   return ahead;
 }
 
-/// The point that is to pull a moved frame at p_WM: towards the way ahead, less where the way turns more than it moves.
-dvec3 FeltPlan::wantedPoint(const dvec3& p_WM, double scale) const {
-  const double ahead = aheadOn(scale), here = progress_.way();
-  const dvec3 to = progress_.expertAt(std::min(progress_.length(), here + ahead)).p - p_WM;
-  const double length = glm::length(to), most = kPlanLead * scale;
-  if (length >= most) return p_WM + to * (most / length);
+/// The point that is to pull: from the way's nearest point along it, less far where the way turns more than it moves.
+dvec3 FeltPlan::wantedPoint(double scale) const {
+  const double ahead = aheadOn(scale), here = progress_.way(), most = kPlanLead * scale;
+  const dvec3 near = progress_.expertAt(here).p;
+  const dvec3 to = progress_.expertAt(std::min(progress_.length(), here + ahead)).p - near;
+  const double length = glm::length(to);
   // At the end of the way the pull is into it; before, a bend near by is no reason to pull less.
   const bool ends = progress_.length() - here <= most;
-  if (ends || length < 1e-9) return p_WM + to;
+  if (ends || length < 1e-9) return near + to;
   const double share = std::min(1.0, length / std::max(ahead, 1e-9));
-  return p_WM + to * (share * most / length);
+  return near + to * (share * most / length);
 }
 
 /// Turns the entity under the hand, as far as it has followed so far.
@@ -175,14 +175,16 @@ bool FeltPlan::turn(const HeldEntity& held, HandMapping& hand, const Pose& X_DP,
   const MotionMapping& mapping = hand.mapping();
   if (!mapping.rotates()) return false;
   const Pose X_WM = held.movedFrame();
-  const double lag = glm::length(rotationVector(mapping.toCell(X_DP).q * glm::conjugate(X_WM.q)));
-  if (lag > kTurnLag) return false;
+  const dquat wanted = mapping.toCell(X_DP).q * glm::conjugate(X_WM.q);
+  // What the entity did not follow is taken back: it must not add up while something is in the way.
+  const bool lags = glm::length(rotationVector(wanted)) > kTurnLag;
   const Pose ahead = progress_.expertAt(std::min(progress_.length(), progress_.way() + kPlanLead * mapping.scale()));
   const dvec3 left = rotationVector(ahead.q * glm::conjugate(X_WM.q));
   const double most = shareOf(state_) * kTurnSpeed * dt;
   const dvec3 step = shortenedTo(left * std::min(1.0, dt / kTurnTime), most);
-  if (glm::length(step) <= 0.0) return false;
-  hand.turn(quaternionFromRotationVector(step), X_DP);
+  if (most <= 0.0) return false;
+  const dquat turned = quaternionFromRotationVector(step);
+  hand.turn(lags ? turned * glm::conjugate(wanted) : turned, X_DP);
   return glm::length(left) > kTurnSeen;
 }
 
@@ -191,7 +193,7 @@ bool FeltPlan::step(const HeldEntity& held, HandMapping& hand, const Pose& X_DP,
   const double scale = hand.mapping().scale(), dt = std::min(cell.clock().stepTime(), 0.1);
   const Pose X_WM = held.movedFrame();
   look(held, cell, scale);
-  adopt(X_WM, scale);
+  adopt(X_WM);
   if (!state_.way || state_.reached) {
     const bool led = std::exchange(leads_, false);
     state_.share = 0.0;
@@ -201,7 +203,7 @@ bool FeltPlan::step(const HeldEntity& held, HandMapping& hand, const Pose& X_DP,
   watchHand(X_WM, scale, dt);
   if (!leads_) p_WT_ = X_WM.p;
   leads_ = true;
-  p_WT_ += shortenedTo(wantedPoint(X_WM.p, scale) - p_WT_, kLeadSpeed * scale * dt);
+  p_WT_ += shortenedTo(wantedPoint(scale) - p_WT_, kLeadSpeed * scale * dt);
   turn(held, hand, X_DP, dt);
   return true;
 }

@@ -52,10 +52,10 @@ class FeltPlan {
 
  private:
   void look(const HeldEntity& held, const CellState& cell, double scale);
-  void adopt(const Pose& X_WM, double scale);
+  void adopt(const Pose& X_WM);
   void watchHand(const Pose& X_WM, double scale, double dt);
   double aheadOn(double scale) const;
-  dvec3 wantedPoint(const dvec3& p_WM, double scale) const;
+  dvec3 wantedPoint(double scale) const;
   bool turn(const HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt) const;
 
   std::shared_ptr<PlanSource> source_;
