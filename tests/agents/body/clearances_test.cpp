@@ -41,7 +41,9 @@ double leastDistance(const PreparedScene& scene, const manipulation::EntityConfi
 TEST(Clearances, AreTheExactDistancesAndSafeSharesStaySafe) {
   const auto scene = cell();
   const auto body = test::bodyOf(*scene->find(1));
-  auto clearances = Clearances::create(scene, 1, body->configuration(), {});
+  manipulation::EntityConfiguration upright = body->configuration();
+  upright.joints = {0.0, -1.5708, 0.0, -1.5708, 0.0, 0.0};
+  auto clearances = Clearances::create(scene, 1, upright, {});
   ASSERT_TRUE(clearances) << clearances.error().message();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(-2.0, 2.0), step(-0.4, 0.4);
@@ -93,7 +95,7 @@ TEST(LineOfSight, IsBlockedByWhatIsBetweenUnlessThatIsLookedAt) {
   const auto clearances = Clearances::create(scene, 1, test::bodyOf(*scene->find(1))->configuration(), {});
   ASSERT_TRUE(clearances);
   const LineOfSight all(clearances->obstacles()), ignoring(clearances->obstacles(), 2);
-  const dvec3 before(-0.65, -1.0, 0.25), behind(-0.65, 1.0, 0.25);
+  const dvec3 before(-0.66, -1.0, 0.28), behind(-0.66, 1.0, 0.27);
   EXPECT_FALSE(all.isFree(before, behind));
   EXPECT_TRUE(ignoring.isFree(before, behind));
   const dvec3 beside(-0.75 - 0.04, -1.0, 0.25), far(-0.75 - 0.04, 1.0, 0.25);  // 40 mm past the block.

@@ -69,7 +69,7 @@ TEST(MovedBody, AMannequinsFeetStayWhereTheyAre) {
   }
   const Pose after = mannequin::footPose(body->figure()->pose, mannequin::Side::kLeft);
   EXPECT_LT(glm::length(after.p - before.p), 2e-4);
-  EXPECT_LT(body->configuration().X_WE.p.z, -0.05);  // It went down.
+  EXPECT_LT(body->configuration().X_WE.p.z, -0.03);  // It went down.
 }
 
 TEST(MovedBody, FollowMovesThePointAsWished) {
