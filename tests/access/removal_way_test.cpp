@@ -109,18 +109,18 @@ TEST(RemovalWay, UnitMotionNamesWhatStopsIt) {
   EXPECT_TRUE(motion.collidesAt(Pose::translation({0.004, 0.0, 0.0})));
 }
 
-/// A plate in a flat chamber whose opening at the top is narrower than the plate is long: it has to be turned.
+/// A plate in a chamber whose opening at the top is narrower than the plate is long: it has to be turned.
 AccessCell turningChamber(double opening) {
   AccessCell cell;
   const double beside = 0.5 * (0.30 - opening);
   cell.box("plate", {0.20, 0.02, 0.06}, {0.0, 0.0, 0.0});
-  cell.box("front", {0.34, 0.02, 0.30}, {0.0, -0.024, 0.05}, true);
-  cell.box("back", {0.34, 0.02, 0.30}, {0.0, 0.024, 0.05}, true);
-  cell.box("bottom", {0.34, 0.06, 0.02}, {0.0, 0.0, -0.11}, true);
-  cell.box("left", {0.02, 0.06, 0.30}, {-0.16, 0.0, 0.05}, true);
-  cell.box("right", {0.02, 0.06, 0.30}, {0.16, 0.0, 0.05}, true);
-  cell.box("top left", {beside, 0.06, 0.02}, {-0.5 * (opening + beside), 0.0, 0.19}, true);
-  cell.box("top right", {beside, 0.06, 0.02}, {0.5 * (opening + beside), 0.0, 0.19}, true);
+  cell.box("front", {0.34, 0.02, 0.30}, {0.0, -0.12, 0.05}, true);
+  cell.box("back", {0.34, 0.02, 0.30}, {0.0, 0.12, 0.05}, true);
+  cell.box("bottom", {0.34, 0.26, 0.02}, {0.0, 0.0, -0.11}, true);
+  cell.box("left", {0.02, 0.26, 0.30}, {-0.16, 0.0, 0.05}, true);
+  cell.box("right", {0.02, 0.26, 0.30}, {0.16, 0.0, 0.05}, true);
+  cell.box("top left", {beside, 0.26, 0.02}, {-0.5 * (opening + beside), 0.0, 0.19}, true);
+  cell.box("top right", {beside, 0.26, 0.02}, {0.5 * (opening + beside), 0.0, 0.19}, true);
   return cell;
 }
 
