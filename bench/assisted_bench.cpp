@@ -64,6 +64,7 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   options.pairs = scene.pairs;
   options.entity = scene.entity;
   options.configuration.manipulation.rate_hz = 250.0;
+  options.configuration.manipulation.edge_drift = 0.1;
   options.axes.mode = manipulation::AxesMode::kCell;
   options.scale = {manipulation::ScaleLevel::kNumber, scene.scale};
   manipulation::StraightHandOptions hand = manipulation::seededHand(seed);

@@ -23,8 +23,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// m of hand between start and goal, straight: most of a stylus's workspace.
-constexpr double kHandWay = 0.10;
+/// m of hand between start and goal, straight: less than half of a stylus workspace, which leaves room for detours.
+constexpr double kHandWay = 0.05;
 
 double scaleFor(const Pose& from, const Pose& to) {
   return std::max(1.0, glm::distance(from.p, to.p) / kHandWay);

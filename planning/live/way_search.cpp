@@ -148,15 +148,24 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   problem.start = *start;
   problem.goal = options_.goal;
   problem.clearance = options_.clearance;
-  problem.hints = hintsFor(view);
   problem.seed = options_.seed + searches_;
   problem.most_checks = options_.most_checks;
   problem.time_limit_s = options_.most_seconds;
   problem.stop = stop;
   if (const auto passed = passedByHand(view, *start)) problem.through = {*passed};
   auto planned = plan(problem, *space_);
+  const auto fails = [&] {
+    return planned && !planned->plan && planned->failure->kind != Failure::Kind::kCancelled;
+  };
+  if (fails()) {
+    // What the hand has shown is a bridge where the search by itself finds none; else it would lead back first.
+    problem.hints = hintsFor(view);
+    const std::size_t before = planned->checks;
+    planned = plan(problem, *space_);
+    if (planned) planned->checks += before;
+  }
   const bool through = !problem.through.empty();
-  if (through && planned && !planned->plan && planned->failure->kind != Failure::Kind::kCancelled) {
+  if (through && fails()) {
     // Nothing leads on from there: any way is better than none.
     problem.through.clear();
     const std::size_t before = planned->checks;
