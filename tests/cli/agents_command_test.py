@@ -53,7 +53,7 @@ def wrong_words_are_refused(folder):
     assert "NAME=NUMBER" in run("agents", TASK, "--weights", "goal=fast", status=2)
     text = TASK.read_text().replace('cell = "', f'cell = "{TASK.parent}/')
     for old, new, part in (('what = "limits"', 'what = "magic"', "one of goal"), ('entity = "robot"', 'entity = "rob"', "no entity"),
-                           ("within = 0.10", "within = 10.0", "within"), ("[goal]", "[gaol]", "gaol")):
+                           ("within = 0.10", "within = 10.0", "within"), ("[goal]", "[gaol]", "goal is missing")):
         (folder / "t.toml").write_text(text.replace(old, new))
         message = run("agents", folder / "t.toml", "--record", folder / "no.htraj", status=2)
         assert part in message, (part, message)

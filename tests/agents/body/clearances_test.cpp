@@ -22,12 +22,11 @@ std::shared_ptr<const PreparedScene> cell() {
                                 {}, {});
 }
 
-/// Least distance of any moving link to the obstacles, by single queries.
+/// Least distance of any link to the obstacles, by single queries.
 double leastDistance(const PreparedScene& scene, const manipulation::EntityConfiguration& at) {
   double least = 10.0;
   const workcell::Entity& robot = *scene.find(1);
   for (const auto& link : scene.partsOf(1)) {
-    if (link.link == 0) continue;
     for (const auto& other : scene.parts()) {
       if (other.entity == 1) continue;
       const auto result = collision::distance(link.mesh.collider, PreparedScene::partPose(robot, at.X_WE, at.joints, link.link),

@@ -139,12 +139,20 @@ TEST(Agents, ComfortLowersTheScoreOfABentPosture) {
   stage.followFor(4.0);
   const auto after = scores();
   EXPECT_LE(after.rula(), before.rula());
-  EXPECT_LT(after.worse().measured.trunk_flexion, 0.8 * before.worse().measured.trunk_flexion);
+  EXPECT_LT(after.worse().measured.trunk_flexion, before.worse().measured.trunk_flexion - 1.0);
 }
 
 TEST(Agents, BalanceBringsTheCentreOfMassBackOverTheSoles) {
   const workcell::Entity worker = loaded("mannequin:male:50", 1, "worker");
-  Stage stage({worker}, bent(worker), "balance\"\nmargin = 0.15 #");
+  auto aside = bodyOf(worker);
+  std::vector<double> step(aside->size(), 0.0);
+  step[2] = -0.004;  // Knees bent first: a pelvis over straight legs cannot go aside.
+  for (int i = 0; i < 40; ++i) {
+    if (i == 20) step[2] = 0.0;
+    if (i == 20) step[1] = 0.004;
+    if (auto there = aside->moved(step)) aside = std::move(there);
+  }
+  Stage stage({worker}, std::move(aside), "balance\"\nmargin = 0.15 #");
   const auto margin = [&] {
     const FigureView& figure = *stage.body->figure();
     const std::array<mannequin::SegmentPlace, 2> feet{figure.pose[mannequin::Segment::kLeftFoot],
