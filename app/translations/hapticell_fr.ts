@@ -443,9 +443,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 buts</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 goes with %2, which the other stylus holds</source>
         <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
@@ -743,9 +740,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 messages in %2 chunks, as the file has</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>%1 messages en %2 blocs, comme dans le fichier</translation>
     </message>
     <message>
@@ -774,9 +768,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 motions, or one without frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>%1 mouvements, ou un mouvement sans points</translation>
     </message>
     <message>
@@ -1493,13 +1484,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: %2 messages of other joints are left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2 messages whose time does not rise are left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>%1 : %2 messages d’autres axes sont ignorés</translation>
     </message>
     <message>
@@ -1604,9 +1588,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: one a variable of '%2'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>%1 : une par variable de « %2 »</translation>
     </message>
     <message>
@@ -1704,9 +1685,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1; most often %2 was in the way</source>
         <translation>%1 ; le plus souvent, %2 faisait obstacle</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1; no limit is assumed</source>
@@ -2230,9 +2208,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>--record or --mcap together with this option</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>--record ou --mcap avec cette option</translation>
     </message>
     <message>
@@ -2265,17 +2240,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>--set plan_goal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--set plan_goal=... with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--set plan_hints</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>--set plan_goal</translation>
     </message>
     <message>
@@ -2321,9 +2285,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--to, --to-joints, --out</source>
         <translation>--to, --to-joints, --out</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--tolerance, --angle-tolerance</source>
@@ -2399,16 +2360,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>.htraj, .csv or .mcap for a motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>.htraj, .csv or .mcap for a motion</source>
         <translation>.htraj, .csv ou .mcap pour un mouvement</translation>
-    </message>
-    <message>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
@@ -2484,16 +2436,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>0 to 232</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>0 to 232</source>
         <translation>0 à 232</translation>
-    </message>
-    <message>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>0 to 6</source>
@@ -2545,13 +2488,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>1 to 1000 Hz</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 to 1000 motions with frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>1 à 1000 Hz</translation>
     </message>
     <message>
@@ -3183,9 +3119,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Demandez une distance de passage plus grande, ou une autre graine.</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ask for a stature instead.</source>
         <translation>Indiquez plutôt une stature.</translation>
     </message>
@@ -3279,9 +3212,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Authority of a planner beside the hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>Autorité d'un planificateur à côté de la main</translation>
     </message>
     <message>
@@ -3819,10 +3749,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Clearance</source>
         <translation>Distance libre</translation>
-    </message>
-    <message>
-        <source>Clearance of its way</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clearance of its way</source>
@@ -5846,9 +5772,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Install HaptiCell with its link to ROS 2 (Debian: cyclonedds-dev, when building).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>Installez HaptiCell avec sa liaison ROS 2 (Debian : cyclonedds-dev, à la compilation).</translation>
     </message>
     <message>
@@ -5977,13 +5900,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>JointTrajectory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>JointTrajectory, point %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>JointTrajectory</translation>
     </message>
     <message>
@@ -8224,9 +8140,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>ROS_DOMAIN_ID</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>ROS_DOMAIN_ID</translation>
     </message>
     <message>
@@ -9815,9 +9728,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>The connection was lost before the end; what was received is written.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>La connexion a été perdue avant la fin ; ce qui a été reçu est écrit.</translation>
     </message>
     <message>
@@ -11538,17 +11448,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a channel of schema %1, which is not declared</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a chunk of %1 MB</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a clearance that is not valid</source>
-        <translation>une distance de passage non valable</translation>
-    </message>
-    <message>
         <translation>un canal du schéma %1, qui n’est pas déclaré</translation>
     </message>
     <message>
@@ -11557,7 +11456,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a clearance that is not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>une distance de passage non valable</translation>
     </message>
     <message>
         <source>a colour out of range</source>
@@ -11613,9 +11512,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a damaged chunk</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un bloc endommagé</translation>
     </message>
     <message>
@@ -11887,9 +11783,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une indication non valable</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a home position in which the six legs fix the platform</source>
         <translation>une position de repos où les six jambes tiennent la plateforme</translation>
     </message>
@@ -12143,9 +12036,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a malformed record of kind %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un enregistrement mal formé de type %1</translation>
     </message>
     <message>
@@ -12210,17 +12100,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a message of channel %1, which is not declared</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a message of the topic's type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a message that does not fit its type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un message du canal %1, qui n’est pas déclaré</translation>
     </message>
     <message>
@@ -12252,18 +12131,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement de « %1 »</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a motion of one hand only</source>
         <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
         <source>a motion of the entity that was planned for</source>
         <translation>un mouvement de l’entité planifiée</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not define</source>
@@ -12454,9 +12327,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun trajet ne peut être planifié pour une entité du type %1</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a path of fewer than two points</source>
         <translation>une trajectoire de moins de deux points</translation>
     </message>
@@ -12614,9 +12484,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a record of kind %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un enregistrement de type %1</translation>
     </message>
     <message>
@@ -12646,10 +12513,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a region that is not valid</source>
         <translation>une région non valable</translation>
-    </message>
-    <message>
-        <source>a result</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a result</source>
@@ -12706,9 +12569,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot, a mechanism or a solid with a shape</source>
         <translation>un robot, un mécanisme ou un solide avec une forme</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a robot, which can have a tool</source>
@@ -12892,8 +12752,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a state of the server</source>
-    </message>
-    <message>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12926,13 +12784,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a summary at byte %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a summary of %1 messages in %2 chunks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un résumé à l’octet %1</translation>
     </message>
     <message>
@@ -13065,14 +12916,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a time of more than 30 years</source>
-        <translation type="unfinished"></translation>
+        <translation>un temps de plus de 30 ans</translation>
     </message>
     <message>
         <source>a time that decreases, or a button out of range</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <translation>un temps de plus de 30 ans</translation>
     </message>
     <message>
         <source>a time that is not a whole number</source>
@@ -13088,9 +12936,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a time within the nanosecond of the frame before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un temps à moins d’une nanoseconde du point précédent</translation>
     </message>
     <message>
@@ -13503,9 +13348,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an empty recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un enregistrement vide</translation>
     </message>
     <message>
@@ -13598,9 +13440,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an index entry for byte %1, where no such record is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>une entrée d’index pour l’octet %1, où cet enregistrement n’existe pas</translation>
     </message>
     <message>
@@ -14076,13 +13915,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>au départ, %1 touche %2</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at the start %1 touches %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
@@ -14240,9 +14072,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>channel %1 twice, with different content</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>le canal %1 deux fois, avec des contenus différents</translation>
     </message>
     <message>
@@ -14323,9 +14152,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>compressed records</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des enregistrements comprimés</translation>
     </message>
     <message>
@@ -14613,9 +14439,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>exactement une de ces options</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>exactly one robot in a URDF</source>
         <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
@@ -14732,9 +14555,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis pour toutes les articulations</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>finite numbers of a plausible size</source>
         <translation>des nombres finis d'une grandeur vraisemblable</translation>
     </message>
@@ -14848,9 +14668,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>frames at least a nanosecond apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des points espacés d’au moins une nanoseconde</translation>
     </message>
     <message>
@@ -14859,9 +14676,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>frames, samples or scores</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des points, des échantillons ou des notes</translation>
     </message>
     <message>
@@ -14922,7 +14736,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>grip</source>
-        <translation type="unfinished"></translation>
+        <translation>prise</translation>
     </message>
     <message>
         <source>guide %1</source>
@@ -14962,9 +14776,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>hapticell-ros2 gave no result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>hapticell-ros2 n’a donné aucun résultat</translation>
     </message>
     <message>
@@ -15121,9 +14932,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it beside hapticell-cli</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>ce programme à côté de hapticell-cli</translation>
     </message>
     <message>
@@ -15180,9 +14988,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it ended by signal %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>il s’est terminé par le signal %1</translation>
     </message>
     <message>
@@ -15418,9 +15223,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>l’articulation « %1 » du but est hors de ses limites</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>joint '%1' twice</source>
         <translation>axe '%1' deux fois</translation>
     </message>
@@ -15466,9 +15268,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>joints %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>axes %1</translation>
     </message>
     <message>
@@ -15477,9 +15276,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>joints of '%1'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>axes de « %1 »</translation>
     </message>
     <message>
@@ -15828,9 +15624,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>metadata '%1'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>métadonnées « %1 »</translation>
     </message>
     <message>
@@ -15959,9 +15752,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>more than %1 MB of messages</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>plus de %1 Mo de messages</translation>
     </message>
     <message>
@@ -16038,9 +15828,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>motions of one robot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des mouvements d’un même robot</translation>
     </message>
     <message>
@@ -16281,9 +16068,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no joints or no points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>pas d’axes ou pas de points</translation>
     </message>
     <message>
@@ -16348,9 +16132,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no message within %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>aucun message en %1 s</translation>
     </message>
     <message>
@@ -16412,15 +16193,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no plan: %1</source>
         <translation>aucun trajet : %1</translation>
-    </message>
-    <message>
-        <source>no plan_goal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no plan_goal</source>
@@ -16551,14 +16323,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun chemin vers le but n’a été trouvé en %1 vérifications</translation>
     </message>
     <message>
-        <source>no way to the goal was found in %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no way to the goal was found with %1 checks</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no work task is named '%1'</source>
         <translation>aucune tâche ne s'appelle « %1 »</translation>
     </message>
@@ -16596,7 +16360,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>normal, sigma %1</source>
@@ -16840,9 +16604,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>one at byte %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>un résumé à l’octet %1</translation>
     </message>
     <message>
@@ -16859,9 +16620,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>one finite position for each joint and rising times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>une position finie par axe et des temps croissants</translation>
     </message>
     <message>
@@ -16994,9 +16752,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>other first bytes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>d’autres premiers octets</translation>
     </message>
     <message>
@@ -17005,9 +16760,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>other joints or channels than the first motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>d’autres axes ou canaux que le premier mouvement</translation>
     </message>
     <message>
@@ -17025,10 +16777,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>out of the cell</source>
         <translation>hors de la cellule</translation>
-    </message>
-    <message>
-        <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>out, frame:NAME, pose:x,y,z,qw,qx,qy,qz (metres and a quaternion of length 1) or joints:q1,q2,... (radians or metres)</source>
@@ -17204,9 +16952,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>positions that do not fit the joints, or a time that does not rise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des positions qui ne correspondent pas aux axes, ou un temps qui n’augmente pas</translation>
     </message>
     <message>
@@ -17259,9 +17004,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>rate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>fréquence</translation>
     </message>
     <message>
@@ -17446,9 +17188,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>sample %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>échantillon %1</translation>
     </message>
     <message>
@@ -17469,9 +17208,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>schema %1 twice, with different content</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>le schéma %1 deux fois, avec des contenus différents</translation>
     </message>
     <message>
@@ -17504,9 +17240,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>seconds from the beginning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>des secondes depuis le début</translation>
     </message>
     <message>
@@ -17539,7 +17272,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>several of type %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>plusieurs du type %1 : %2</translation>
     </message>
     <message>
         <source>sex</source>
@@ -17548,9 +17281,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>shape (n, 9): t, x, y, z, qw, qx, qy, qz, button</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <translation>plusieurs du type %1 : %2</translation>
     </message>
     <message>
         <source>shape morphing; the mesh is shown as modelled</source>
@@ -17998,9 +17728,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the compression '%1'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>la compression « %1 »</translation>
     </message>
     <message>
@@ -18396,17 +18123,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le but ne dit pas quoi regarder</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the goal is out of reach of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the goal of '%1'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the guide's name</source>
         <translation>le nom du guide virtuel</translation>
     </message>
@@ -18541,9 +18257,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the limits of its joints keep the tool of %1 from the goal</source>
         <translation>les limites de ses articulations empêchent l’outil de %1 d’atteindre le but</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the link does not exist</source>
@@ -18826,9 +18539,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le trajet de « %1 »</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the platform</source>
         <translation>la plateforme</translation>
     </message>
@@ -18890,9 +18600,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the program hapticell-ros2 is not installed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>le programme hapticell-ros2 n’est pas installé</translation>
     </message>
     <message>
@@ -18953,9 +18660,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the robots %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>les robots %1</translation>
     </message>
     <message>
@@ -19021,9 +18725,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the start is not free: %1</source>
         <translation>le départ n’est pas libre : %1</translation>
-    </message>
-    <message>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the start value of joint '%1' is not a number</source>
@@ -19199,14 +18900,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>there is no room around the place where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
     </message>
     <message>
         <source>these parts are not checked</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
@@ -19346,17 +19044,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>topic %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>topic %1, message %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>topics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>sujet %1</translation>
     </message>
     <message>
@@ -19704,9 +19391,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>x,y,z,qw,qx,qy,qz : mètres et un quaternion de longueur 1</translation>
     </message>
     <message>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
@@ -19728,9 +19412,6 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>zstd, lz4 or none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <translation>zstd, lz4 ou aucune</translation>
     </message>
     <message>
