@@ -28,7 +28,7 @@ class ResultTable : public QAbstractTableModel {
   void begin(const studies::ResultHead& head, const QString& file);
   /// Adds rows; one with a number that is there replaces it.
   void add(const std::vector<studies::ResultRow>& rows);
-  /// Reads a results file. Error: it is none.
+  /// Reads a results file. Error: it is not a results file.
   Expected<void> open(const QString& file);
   void clear();
 

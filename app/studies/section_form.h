@@ -16,7 +16,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// The keys of one table of a study as fields; made anew for each table.
+/// The keys of one table of a study as fields; created for each table.
 class SectionForm : public QWidget {
   Q_OBJECT
  public:

@@ -44,7 +44,7 @@ class StudyDraft : public QObject {
   void begin(const QString& cell);
   /// Reads a file. Error: it cannot be read, or is not TOML. The draft stays as it was then.
   Expected<void> open(const QString& file);
-  /// Writes it; paths that it names relative to its old folder are written anew.
+  /// Writes it; paths that it names relative to its old folder are written relative to the new one.
   Expected<void> save(const QString& file);
   void clear();
 

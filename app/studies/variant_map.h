@@ -44,7 +44,7 @@ struct VariantMap {
 /// is the given one of the study.
 VariantMap mapOf(const ResultTable& table, const workcell::DocumentState& cell, int column);
 
-/// The colour of a share, 0 worst to 1 best: dark blue to yellow, told apart by lightness too.
+/// The colour of a share, 0 worst to 1 best: dark blue to yellow, distinct by lightness too.
 QColor heatColor(double share);
 
 }  // namespace hapticell::app

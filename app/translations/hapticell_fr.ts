@@ -431,10 +431,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 images, comme le fichier l'indique</translation>
     </message>
     <message>
-        <source>%1 gaps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 gives %2.</source>
         <translation>%1 donne %2.</translation>
     </message>
@@ -1031,16 +1027,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
     </message>
     <message>
-        <source>%1 things at the top of the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 things that vary</source>
         <translation>%1 choses qui varient</translation>
-    </message>
-    <message>
-        <source>%1 times, %2 poses, %3 joint names</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 times, last %2</source>
@@ -1377,10 +1365,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, of %2</source>
         <translation>%1, de %2</translation>
-    </message>
-    <message>
-        <source>%1, one for each joint that moves</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1, one for each joint that moves the tip, base first</source>
@@ -2507,10 +2491,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 à 60 lettres, chiffres, « _ » et « - »</translation>
     </message>
     <message>
-        <source>1 to 65535</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>1, 2, …</source>
         <translation>1, 2, …</translation>
     </message>
@@ -2541,10 +2521,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>3 joints, or 4 if the tool turns</source>
         <translation>3, ou 4 avec la rotation de l'outil</translation>
-    </message>
-    <message>
-        <source>3 to 100 000</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>3, 5, ... points for arcs</source>
@@ -12059,10 +12035,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
     </message>
     <message>
-        <source>a matrix that is not a rigid pose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a mechanism</source>
         <translation>un mécanisme</translation>
     </message>
@@ -12155,10 +12127,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom</translation>
     </message>
     <message>
-        <source>a name of Posture.joint_names()</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a name of its own</source>
         <translation>un nom qui lui est propre</translation>
     </message>
@@ -12247,10 +12215,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
-        <source>a number that add() returned, not removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a number that is negative or not finite</source>
         <translation>un nombre non fini ou négatif</translation>
     </message>
@@ -12285,10 +12249,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a number; the equation needs all fields</source>
         <translation>un nombre ; l'équation a besoin de tous les champs</translation>
-    </message>
-    <message>
-        <source>a pair of check()</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a pairing code</source>
@@ -12587,10 +12547,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot.toml</translation>
     </message>
     <message>
-        <source>a rotation and a translation, with 0, 0, 0, 1 in the last row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a saved simulation state; the models are placed as described</source>
         <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
     </message>
@@ -12751,10 +12707,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un départ non valable</translation>
     </message>
     <message>
-        <source>a state of the server</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a step above 0 that gives at most 10 million frames</source>
         <translation>un pas supérieur à 0 qui donne au plus 10 millions d'images</translation>
     </message>
@@ -12891,10 +12843,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte, un nombre ou une liste</translation>
     </message>
     <message>
-        <source>a thinner tube</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a time after that of the line before, %1 s</source>
         <translation>un temps après celui de la ligne précédente, %1 s</translation>
     </message>
@@ -12919,16 +12867,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un temps de plus de 30 ans</translation>
     </message>
     <message>
-        <source>a time that decreases, or a button out of range</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>a time that is not after the one before</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a time that is not after the time before</source>
@@ -13275,14 +13215,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un arc sans points connus</translation>
     </message>
     <message>
-        <source>an array of shape (n, %1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>an array of shape (n, 7) with x, y, z, qw, qx, qy, qz, or (n, 4, 4)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>an assembly inside itself</source>
         <translation>un assemblage à l'intérieur de lui-même</translation>
     </message>
@@ -13543,10 +13475,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une chaîne ouverte d'axes</translation>
     </message>
     <message>
-        <source>an open connection</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>an option that --help lists</source>
         <translation>l'une de celles que --help énumère</translation>
     </message>
@@ -13587,10 +13515,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type d'axe inconnu</translation>
     </message>
     <message>
-        <source>an unknown property</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>an unknown user</source>
         <translation>un utilisateur inconnu</translation>
     </message>
@@ -13617,10 +13541,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>animation; all parts are shown at rest</source>
         <translation>du mouvement ; tout est affiché au repos</translation>
-    </message>
-    <message>
-        <source>another array</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another assembly</source>
@@ -13683,16 +13603,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des bras, des jambes et un tronc de longueur non nulle</translation>
     </message>
     <message>
-        <source>arrays of other shapes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>as in the controller</source>
         <translation>celui de la commande</translation>
-    </message>
-    <message>
-        <source>as many poses as times, and joints of shape (times, joint names)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>as many values as the others</source>
@@ -13829,10 +13741,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>at most %1 m and %2 rad</source>
         <translation>au plus %1 m, %2 rad</translation>
-    </message>
-    <message>
-        <source>at most %1, and gradients of shape (n, 6)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most %1, the limit of an INFORM job</source>
@@ -14011,10 +13919,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>à la fois library et values</translation>
     </message>
     <message>
-        <source>both percentile and stature</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>box:, table:, fence: or another built-in part</source>
         <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
     </message>
@@ -14111,20 +14015,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>distance</translation>
     </message>
     <message>
-        <source>client</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>fermé</translation>
     </message>
     <message>
         <source>collecting</source>
         <translation>collecte des pièces</translation>
-    </message>
-    <message>
-        <source>color, visible, locked, checked, on_contact, force_class, material, mass or parent</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>columns x, y, z</source>
@@ -14161,10 +14057,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>constant, contact or dynamics</source>
         <translation>constant, contact ou dynamics</translation>
-    </message>
-    <message>
-        <source>constraints</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>contact</source>
@@ -14535,10 +14427,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>fine</translation>
     </message>
     <message>
-        <source>finite metres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>finite numbers</source>
         <translation>des nombres finis</translation>
     </message>
@@ -14559,20 +14447,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis d'une grandeur vraisemblable</translation>
     </message>
     <message>
-        <source>finite numbers of shape (n, %1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>finite numbers separated by commas</source>
         <translation>des nombres finis séparés par des virgules</translation>
     </message>
     <message>
         <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above 0, and no negative stiffness, damping or friction</source>
         <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
-    </message>
-    <message>
-        <source>finite numbers x, y, z, qw, qx, qy, qz with a unit quaternion</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>finite numbers, 0 or more</source>
@@ -14609,10 +14489,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>force</source>
         <translation>effort</translation>
-    </message>
-    <message>
-        <source>force_class</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force_x, force_y, force_z, contact or configuration</source>
@@ -14727,16 +14603,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>good, fair ou poor</translation>
     </message>
     <message>
-        <source>good, fair, poor or unacceptable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>grid</source>
         <translation>grille</translation>
-    </message>
-    <message>
-        <source>grip</source>
-        <translation>prise</translation>
     </message>
     <message>
         <source>guide %1</source>
@@ -14753,14 +14621,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>h</source>
         <translation>h</translation>
-    </message>
-    <message>
-        <source>hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hand, row %1</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>hand:left or hand:right, and :SEX:PERCENTILE</source>
@@ -14865,10 +14725,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>increasing times in seconds</source>
         <translation>des temps croissants, en s</translation>
-    </message>
-    <message>
-        <source>indices from 0 to %1</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>int(&quot;%1&quot;)</source>
@@ -15055,10 +14911,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle est attachée à elle-même par l'intermédiaire de '%1'</translation>
     </message>
     <message>
-        <source>it is closed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>it is coupled to '%1', which does not exist</source>
         <translation>il est couplé à '%1', qui n'existe pas</translation>
     </message>
@@ -15101,10 +14953,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it is not in this cell</source>
         <translation>elle n'est pas dans cette cellule</translation>
-    </message>
-    <message>
-        <source>it is not less than the major radius</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>it is of another kind</source>
@@ -15181,10 +15029,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>joined</source>
         <translation>joint</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>joint '%1'</source>
@@ -15599,10 +15443,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>membre de dialout</translation>
     </message>
     <message>
-        <source>mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>mesh %1, which does not exist</source>
         <translation>le maillage %1, qui n'existe pas</translation>
     </message>
@@ -15641,10 +15481,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>metres and radians</source>
         <translation>des mètres et des radians</translation>
-    </message>
-    <message>
-        <source>metres and radians above 0</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>metres from 0 to 1</source>
@@ -15705,10 +15541,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>minimum clearance %1 at %2 s</source>
         <translation>distance minimale %1 à %2 s</translation>
-    </message>
-    <message>
-        <source>minor</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>mirrored</source>
@@ -16155,10 +15987,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun axe mobile ne le porte</translation>
     </message>
     <message>
-        <source>no new state in %1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no option is named '%1'</source>
         <translation>aucune option ne s'appelle '%1'</translation>
     </message>
@@ -16201,10 +16029,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no points</source>
         <translation>pas de points</translation>
-    </message>
-    <message>
-        <source>no posture is named '%1'</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no progress, %1 from the goal (%2); handed to the %3</source>
@@ -16357,10 +16181,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>none; e.g. %1</source>
         <translation>aucun ; p. ex. %1</translation>
-    </message>
-    <message>
-        <source>normal</source>
-        <translation>normal</translation>
     </message>
     <message>
         <source>normal, sigma %1</source>
@@ -16535,10 +16355,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres qui ne donnent pas de forme</translation>
     </message>
     <message>
-        <source>numbers, or an array of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>numbers, or registers that the program sets</source>
         <translation>des nombres ou des registres définis</translation>
     </message>
@@ -16593,10 +16409,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>on or off</source>
         <translation>on ou off</translation>
-    </message>
-    <message>
-        <source>on_contact</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>one</source>
@@ -16683,10 +16495,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un squelette par fichier</translation>
     </message>
     <message>
-        <source>one that ends in .hcell</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>one that exists in the cell</source>
         <translation>un élément de la cellule</translation>
     </message>
@@ -16713,10 +16521,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one, another, …</source>
         <translation>une, une autre, …</translation>
-    </message>
-    <message>
-        <source>one, or no name; merge=True makes one</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>only files in %1</source>
@@ -16793,10 +16597,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>packing</source>
         <translation>compression</translation>
-    </message>
-    <message>
-        <source>pair</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>pair rule</source>
@@ -16923,14 +16723,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des points sans faces</translation>
     </message>
     <message>
-        <source>port</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>poses</source>
         <translation>poses</translation>
     </message>
@@ -16959,10 +16751,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des valeurs positives</translation>
     </message>
     <message>
-        <source>posture</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>practice, retention or transfer</source>
         <translation>practice, retention ou transfer</translation>
     </message>
@@ -16985,14 +16773,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>rad or deg</source>
         <translation>rad ou deg</translation>
-    </message>
-    <message>
-        <source>radians</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>radians or metres</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>radians, 0.001 to 3</source>
@@ -17255,14 +17035,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes, plus de 0</translation>
     </message>
     <message>
-        <source>seconds, for a hand that is a function</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>segments</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>self_origin, geometric_center or frame:NAME of an entity</source>
         <translation>self_origin, geometric_center ou frame:NAME d'une entité</translation>
     </message>
@@ -17273,14 +17045,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>several of type %1: %2</source>
         <translation>plusieurs du type %1 : %2</translation>
-    </message>
-    <message>
-        <source>sex</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>shape (n, 9): t, x, y, z, qw, qx, qy, qz, button</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>shape morphing; the mesh is shown as modelled</source>
@@ -17715,10 +17479,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>la colonne manque</translation>
     </message>
     <message>
-        <source>the command failed without a sentence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the command line</source>
         <translation>ligne de commande</translation>
     </message>
@@ -18061,10 +17821,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file's ending '%1'</source>
         <translation>la terminaison « %1 » du fichier</translation>
-    </message>
-    <message>
-        <source>the file's name</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the folder already exists and is not empty</source>
@@ -18429,10 +18185,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the name of one of its tools</source>
         <translation>le nom d'un de ses outils</translation>
-    </message>
-    <message>
-        <source>the name of the document</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the name of the entity whose surface the guide follows</source>
@@ -18843,10 +18595,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le numéro de version manque</translation>
     </message>
     <message>
-        <source>the vertex %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the way of '%1'</source>
         <translation>le chemin de « %1 »</translation>
     </message>
@@ -18901,10 +18649,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>there is no room around the place where it is</source>
         <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
-    </message>
-    <message>
-        <source>these parts are not checked</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
@@ -19003,20 +18747,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>les temps commencent à %1 : la première ligne est le temps 0</translation>
     </message>
     <message>
-        <source>times that do not decrease, buttons from 0 to 255</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>times that increase</source>
         <translation>des temps croissants</translation>
-    </message>
-    <message>
-        <source>times, index %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>tip</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>to device edge</source>
@@ -19025,10 +18757,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>to is not above from</source>
         <translation>to n'est pas supérieur à from</translation>
-    </message>
-    <message>
-        <source>tolerance</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>too many brackets</source>
@@ -19067,10 +18795,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>trajectoires</translation>
     </message>
     <message>
-        <source>trajectory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>trajectory %1</source>
         <translation>trajectoire %1</translation>
     </message>
@@ -19089,10 +18813,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>triangle %1 of %2</source>
         <translation>triangle %1 sur %2</translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>triangles as in AP242</source>
@@ -19275,14 +18995,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des numéros de sommets de 0 à %1</translation>
     </message>
     <message>
-        <source>vertices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>vertices of shape (n, 3) and triangles of shape (m, 3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
     </message>
@@ -19355,10 +19067,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>écriture</translation>
     </message>
     <message>
-        <source>x %1, y %2, z %3 and a quaternion of length %4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>x, y and z</source>
         <translation>x, y et z</translation>
     </message>
@@ -19379,10 +19087,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>x, y, z, -x, -y ou -z</translation>
     </message>
     <message>
-        <source>x, y, z, qw, qx, qy, qz, or a 4 x 4 matrix</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>x,y,z,qw,qx,qy,qz</source>
         <translation>x,y,z,qw,qx,qy,qz</translation>
     </message>
@@ -19397,10 +19101,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>your own measures</source>
         <translation>mesures propres</translation>
-    </message>
-    <message>
-        <source>zero</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>zero-area triangles, left out in a workcell</source>

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 
+#include "cli/kit/result_writer.h"
 #include "config/device_profile.h"
 #include "geometry/system/plain_text.h"
 #include "haptic/devices/device_choice.h"

@@ -18,7 +18,6 @@ namespace hapticell::cli {
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 struct ErgonomicsOptions {
@@ -33,7 +32,7 @@ Expected<ordered_json> scored(const ergonomics::ScoredMethod& method, Expected<S
   return scoredReport(method, *input);
 }
 
-Expected<ordered_json> lifting(const json& given) {
+Expected<ordered_json> lifting(const nlohmann::json& given) {
   const auto input = liftingInput(given);
   HAPTICELL_TRY(input);
   if (input->is_composite) {
@@ -46,7 +45,7 @@ Expected<ordered_json> lifting(const json& given) {
   return liftingReport(input->tasks.front(), *result);
 }
 
-Expected<ordered_json> judge(const std::string& method, const json& input) {
+Expected<ordered_json> judge(const std::string& method, const nlohmann::json& input) {
   if (method == "rula") return scored(ergonomics::Rula(), rulaInput(input));
   if (method == "reba") return scored(ergonomics::Reba(), rebaInput(input));
   if (method == "owas") return scored(ergonomics::Owas(), owasInput(input));

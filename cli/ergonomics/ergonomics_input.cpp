@@ -26,7 +26,6 @@ std::string shortText(const nlohmann::json& value) {
 
 namespace {
 
-using nlohmann::json;
 using namespace ergonomics;
 using Names = std::initializer_list<std::string_view>;
 
@@ -35,7 +34,8 @@ tl::unexpected<Error> refused(const std::string& field, const Text& found, const
 }
 
 /// Refuses fields that are not among `known`: a misspelt field would else be a missing one.
-Expected<void> checkNames(const json& object, const std::string& where, const std::vector<std::string_view>& known) {
+Expected<void> checkNames(const nlohmann::json& object, const std::string& where,
+                          const std::vector<std::string_view>& known) {
   if (!object.is_object()) return refused(where, shortText(object), Text("an object with fields"));
   for (const auto& [name, value] : object.items()) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -45,7 +45,7 @@ Expected<void> checkNames(const json& object, const std::string& where, const st
   return {};
 }
 
-Expected<int> wholeNumber(const json& value, const SubScore& sub_score) {
+Expected<int> wholeNumber(const nlohmann::json& value, const SubScore& sub_score) {
   const bool is_whole = value.is_number() && value.get<double>() == std::floor(value.get<double>());
   if (!is_whole || value.get<double>() < sub_score.least || value.get<double>() > sub_score.greatest) {
     return refused(std::string(sub_score.name), shortText(value),
@@ -55,7 +55,7 @@ Expected<int> wholeNumber(const json& value, const SubScore& sub_score) {
 }
 
 /// Takes the method's sub-scores out of `object`, as far as they are there.
-Expected<void> readSubScores(const json& object, const ScoredMethod& method, ScoredInput& result) {
+Expected<void> readSubScores(const nlohmann::json& object, const ScoredMethod& method, ScoredInput& result) {
   for (std::size_t i = 0; i < method.subScores().size(); ++i) {
     const SubScore& sub_score = method.subScores()[i];
     const auto field = object.find(sub_score.name);
@@ -67,7 +67,7 @@ Expected<void> readSubScores(const json& object, const ScoredMethod& method, Sco
   return {};
 }
 
-Expected<bool> flagOf(const PostureField& field, const json& value) {
+Expected<bool> flagOf(const PostureField& field, const nlohmann::json& value) {
   if (field.name == "wrist_twist") {
     if (value == "mid") return false;
     if (value == "end") return true;
@@ -77,7 +77,7 @@ Expected<bool> flagOf(const PostureField& field, const json& value) {
   return value.get<bool>();
 }
 
-Expected<PostureAngles> readAngles(const json& object) {
+Expected<PostureAngles> readAngles(const nlohmann::json& object) {
   std::vector<std::string_view> known;
   for (const PostureField& field : postureFields()) known.push_back(field.name);
   HAPTICELL_TRY(checkNames(object, "angles", known));
@@ -104,7 +104,7 @@ Expected<PostureAngles> readAngles(const json& object) {
 
 /// What RULA and REBA share: "scores" or "angles", and further fields at the top.
 template <typename ValuesOf>
-Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method, const Names& at_top,
+Expected<ScoredInput> scoredInput(const nlohmann::json& input, const ScoredMethod& method, const Names& at_top,
                                   const ValuesOf& values_of) {
   std::vector<std::string_view> known{"scores", "angles"};
   known.insert(known.end(), at_top.begin(), at_top.end());
@@ -133,7 +133,7 @@ Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method,
 }
 
 /// "muscle_use" and "force" count for the arm and for the body, where those are not given apart.
-Expected<void> spreadOverBoth(const json& input, const Rula& method, ScoredInput& result) {
+Expected<void> spreadOverBoth(const nlohmann::json& input, const Rula& method, ScoredInput& result) {
   const auto spread = [&](const char* name, std::size_t arm, std::size_t body) -> Expected<void> {
     if (!input.contains(name)) return {};
     SubScore named = method.subScores()[arm];
@@ -190,7 +190,7 @@ constexpr ConditionField kConditionFields[] = {
     {"slippery_floor", &LiftingConditions::slippery_floor},
 };
 
-Expected<LiftingTask> liftingTask(const json& object) {
+Expected<LiftingTask> liftingTask(const nlohmann::json& object) {
   LiftingTask task;
   task.load_kg = 1.0;
   const char* missing = nullptr;
@@ -222,7 +222,7 @@ Expected<LiftingTask> liftingTask(const json& object) {
 
 }  // namespace
 
-Expected<json> readErgonomicsInput(const std::string& input) {
+Expected<nlohmann::json> readErgonomicsInput(const std::string& input) {
   std::string text = input;
   const auto first = input.find_first_not_of(" \t\r\n");
   const bool is_in_place = first != std::string::npos && (input[first] == '{' || input[first] == '[');
@@ -237,7 +237,7 @@ Expected<json> readErgonomicsInput(const std::string& input) {
   const std::string name = is_in_place || input == "-" ? "--input" : input;
   auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, name);
   HAPTICELL_TRY(flat);
-  json parsed = json::parse(text, nullptr, false);
+  nlohmann::json parsed = nlohmann::json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
     return makeError({.file = name, .found = "invalid JSON", .expected = "a JSON object in braces"});
   }
@@ -252,7 +252,7 @@ std::vector<std::optional<int>> rebaValuesOf(const PostureAngles& angles, std::v
   return asVector(rebaValues(angles, missing));
 }
 
-Expected<ScoredInput> rulaInput(const json& input) {
+Expected<ScoredInput> rulaInput(const nlohmann::json& input) {
   const Rula method;
   auto result = scoredInput(input, method,
                             {"muscle_use", "force", "muscle_use_arm", "force_arm", "muscle_use_body", "force_body"},
@@ -268,7 +268,7 @@ Expected<ScoredInput> rulaInput(const json& input) {
   return result;
 }
 
-Expected<ScoredInput> rebaInput(const json& input) {
+Expected<ScoredInput> rebaInput(const nlohmann::json& input) {
   auto result = scoredInput(input, Reba(), {"load", "coupling", "activity"}, rebaValuesOf);
   if (result && result->angles) {
     result->assumptions.push_back("A boundary belongs to the lower class; " + neutralWords(*result->angles));
@@ -276,7 +276,7 @@ Expected<ScoredInput> rebaInput(const json& input) {
   return result;
 }
 
-Expected<ScoredInput> owasInput(const json& input) {
+Expected<ScoredInput> owasInput(const nlohmann::json& input) {
   const Owas method;
   HAPTICELL_TRY(checkNames(input, "", {"code"}));
   const json code = input.value("code", json());
@@ -300,7 +300,7 @@ Expected<ScoredInput> owasInput(const json& input) {
   return result;
 }
 
-Expected<LiftingInput> liftingInput(const json& input) {
+Expected<LiftingInput> liftingInput(const nlohmann::json& input) {
   std::vector<std::string_view> known{"coupling", "tasks"};
   for (const NumberField& field : kLiftingFields) known.emplace_back(field.name);
   for (const ConditionField& field : kConditionFields) known.emplace_back(field.name);
@@ -315,7 +315,7 @@ Expected<LiftingInput> liftingInput(const json& input) {
   result.is_composite = input.contains("tasks");
   const json tasks = result.is_composite ? input["tasks"] : json::array({input});
   if (!tasks.is_array() || tasks.empty()) return refused("tasks", shortText(tasks), Text("a list of lifting tasks"));
-  for (const json& task : tasks) {
+  for (const nlohmann::json& task : tasks) {
     if (!task.is_object()) return refused("tasks", shortText(task), Text("a list of lifting tasks"));
     auto read = liftingTask(task);
     if (!read && result.is_composite) {

@@ -26,7 +26,6 @@ namespace hapticell::cli {
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 using namespace ergonomics;
 

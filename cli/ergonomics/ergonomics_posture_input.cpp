@@ -23,7 +23,6 @@ namespace hapticell::cli {
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 using namespace ergonomics;
 
@@ -47,7 +46,7 @@ constexpr std::array<const char*, kEawsPostureCount> kEawsNames{"stand_walk",
 /// Reads fields by name and refuses the rest.
 class Fields {
  public:
-  explicit Fields(const json& input) : input_(input) {
+  explicit Fields(const nlohmann::json& input) : input_(input) {
     if (!input.is_object()) fail("", shortText(input), Text("an object with fields"));
   }
 
@@ -89,7 +88,7 @@ class Fields {
     if (!error_) error_ = Error{.place = field, .found = found, .expected = expected};
   }
 
-  const json& input_;
+  const nlohmann::json& input_;
   std::vector<std::string> asked_;
   std::optional<Error> error_;
 };
@@ -229,7 +228,7 @@ ordered_json owasOf(const PostureScores& scores) {
 
 }  // namespace
 
-Expected<WorkTask> workTaskInput(const json& input) {
+Expected<WorkTask> workTaskInput(const nlohmann::json& input) {
   std::optional<Error> error;
   Diagnostics diagnostics;
   ordered_json named = input;
@@ -243,7 +242,7 @@ Expected<WorkTask> workTaskInput(const json& input) {
   return task;
 }
 
-Expected<ordered_json> zonesReport(const std::string& method, const json& input) {
+Expected<ordered_json> zonesReport(const std::string& method, const nlohmann::json& input) {
   MeasuredPosture posture;
   PostureUse use;
   double gaze = 0.0, head = 0.0;
@@ -279,7 +278,7 @@ Expected<ordered_json> zonesReport(const std::string& method, const json& input)
   return report;
 }
 
-Expected<ordered_json> eawsReport(const json& input) {
+Expected<ordered_json> eawsReport(const nlohmann::json& input) {
   std::array<double, kEawsPostureCount> shares{};
   Fields fields(input);
   for (std::size_t i = 0; i < kEawsPostureCount; ++i) fields.number(kEawsNames[i], shares[i], 0.0, 1.0, false);
@@ -360,21 +359,21 @@ Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& f
   HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
   HAPTICELL_TRY(flat);
-  const json report = json::parse(*text, nullptr, false);
+  const nlohmann::json report = nlohmann::json::parse(*text, nullptr, false);
   manipulation::WorkplaceCell place;
   try {
-    const json& best = report.at("best");
+    const nlohmann::json& best = report.at("best");
     place.rise = best.at("rise");
     place.away = best.at("away");
     place.is_seated = best.at("seated");
     place.worst = best.at("worst");
     place.rula = best.at("rula");
-    for (const json& posture : best.at("postures")) {
+    for (const nlohmann::json& posture : best.at("postures")) {
       auto read = mannequin::parsePosture(posture.dump(), "posture");
       HAPTICELL_TRY(read);
       place.postures.push_back(std::move(*read));
     }
-  } catch (const json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return makeError({.file = file.string(),
                       .place = "best",
                       .found = "it is missing or invalid",

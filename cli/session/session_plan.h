@@ -16,7 +16,7 @@ struct SessionPlanWords {
 };
 
 /// Sets the planner of a session; nothing to do without a goal. `realtime`: it works in a thread of its own, else in
-/// virtual time. Errors: a goal that is none, an unknown frame, a file that cannot be read, hints without a goal.
+/// virtual time. Errors: an invalid goal, an unknown frame, a file that cannot be read, hints without a goal.
 Expected<void> addPlanner(const SessionPlanWords& words, bool realtime, manipulation::SessionOptions& options);
 
 /// "plan" of the result.

@@ -18,7 +18,7 @@ namespace hapticell::manipulation {
 ///
 /// The pull is a row of the constraint set (ConstraintKind::kPull), as the guidance of training; nothing holds the hand
 /// in the tube. The *authority* (0 to 1) is the user's, times a share that falls to 0 where the hand insists: out of the
-/// tube for half a second. The planner is then told where the hand pushes; with its answer the share comes back. As most
+/// tube for half a second. The planner then gets the place where the hand pushes; with its answer the share comes back. As most
 /// devices cannot turn the wrist, the entity is turned towards the way's orientation, as fast as the authority says.
 ///
 /// A new way is not felt as a jump: the point that pulls runs to the new way at a limited speed, and the renderer takes

@@ -22,7 +22,7 @@ struct PlannedWay {
 /// Where the entity went in the user's hand, in steps of a few millimetres; the last is the newest.
 using Trail = std::vector<EntityConfiguration>;
 
-/// What a planner is told in each step of the manipulation loop.
+/// Input of a planner in each step of the manipulation loop.
 struct PlanView {
   std::int64_t time_ns = 0;  ///< Of the loop's clock.
   std::shared_ptr<const PreparedScene> scene;

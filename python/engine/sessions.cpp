@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cli/session/session_plan.h"
 #include "cli/session/session_report.h"
 #include "cli/session/session_settings.h"
 #include "config/configuration.h"
@@ -103,8 +104,10 @@ SessionOptions optionsOf(const Workcell& cell, const std::string& entity, const 
   options.pairs = held.state().pairPolicy();
   options.guides = held.state().guides;
   options.entity = entity;
-  for (const std::string& setting : settings) valueOf(cli::applySessionSetting(setting, options));
+  cli::SessionPlanWords plan;
+  for (const std::string& setting : settings) valueOf(cli::applySessionSetting(setting, options, plan));
   options.device = valueOf(cli::simulatedDevice(device.empty() ? options.configuration.haptic.device : device));
+  valueOf(cli::addPlanner(plan, false, options));
   return options;
 }
 

@@ -40,7 +40,7 @@ class StudyText {
   std::vector<std::string> keys(const StudyPlace& place) const;
   /// Empty if the key is not there, or has a value of another kind (a date, a table, a mixed list).
   StudyValue value(const StudyPlace& place, std::string_view key) const;
-  /// The text of a word; empty if it is none.
+  /// The text of a word; empty if it is not a word.
   std::string word(const StudyPlace& place, std::string_view key) const;
   /// The value as it is written, of any kind; empty if the key is not there.
   std::string written(const StudyPlace& place, std::string_view key) const;
