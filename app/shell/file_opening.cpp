@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/file_opening.h"
 
+#include <QDockWidget>
 #include <QFileInfo>
 
 #include "app/shell/main_window.h"
+#include "app/studies/results_panel.h"
+#include "app/studies/study_panel.h"
 #include "app/trajectory/motions/motion_export.h"
 #include "app/trajectory/training/training_panel.h"
 
@@ -15,17 +18,36 @@ QString endingOf(const QString& path) {
   return QFileInfo(path).suffix().toLower();
 }
 
+void show(MainWindow& window, const char* dock) {
+  auto* const found = window.findChild<QDockWidget*>(dock);
+  if (found == nullptr) return;
+  found->show();
+  found->raise();
+}
+
+/// The study with its cell, where that is not open already.
+void openStudy(MainWindow& window, StudyPanel& panel, const QString& path) {
+  panel.openFile(path);
+  const QString cell = panel.cell();
+  if (!cell.isEmpty() &&
+      QFileInfo(cell) != QFileInfo(QString::fromStdString(window.documentModel().document().path().string())))
+    window.openFile(cell);
+  show(window, "dockStudy");
+}
+
 }  // namespace
 
 bool isOwnFile(const QString& path) {
   const QString ending = endingOf(path);
-  return ending == "htraj" || ending == "hexercise" || ending == "htrain";
+  return ending == "htraj" || ending == "hexercise" || ending == "htrain" || ending == "hstudy" || ending == "hresults";
 }
 
 void openAny(MainWindow& window, const QString& path) {
   const QString ending = endingOf(path);
   auto* const motions = window.findChild<MotionExport*>();
   auto* const training = window.findChild<TrainingPanel*>();
+  auto* const study = window.findChild<StudyPanel*>();
+  auto* const results = window.findChild<ResultsPanel*>();
   if (ending == "hcell") {
     window.openFile(path);
   } else if (ending == "htraj" && motions != nullptr) {
@@ -34,6 +56,11 @@ void openAny(MainWindow& window, const QString& path) {
     training->openExercise(path);
   } else if (ending == "htrain" && training != nullptr) {
     training->openResults(path);
+  } else if (ending == "hstudy" && study != nullptr) {
+    openStudy(window, *study, path);
+  } else if (ending == "hresults" && results != nullptr) {
+    results->openFile(path);
+    show(window, "dockStudyResults");
   } else {
     window.importFiles({path}, false);
   }

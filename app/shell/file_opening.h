@@ -7,11 +7,11 @@ namespace hapticell::app {
 
 class MainWindow;
 
-/// True for the program's own files other than workcells: *.htraj, *.hexercise, *.htrain.
+/// True for the program's own files other than workcells: *.htraj, *.hexercise, *.htrain, *.hstudy, *.hresults.
 bool isOwnFile(const QString& path);
 
 /// Opens a file that was double-clicked, dropped or named on the command line: a workcell replaces the present one, an
-/// exercise or training results open with their cell, a motion is added to those of the cell, anything else is
+/// exercise, training results or a study open with their cell, a motion is added to those of the cell, anything else is
 /// imported. Problems are reported in the messages.
 void openAny(MainWindow& window, const QString& path);
 

@@ -27,6 +27,8 @@ class StudyPanel : public QWidget {
   /// Asks for a file.
   void open();
   void openFile(const QString& file);
+  /// Absolute path of the cell of the study; empty: no study is open.
+  QString cell() const { return draft_.cell(); }
   /// A study of the open workcell.
   void begin();
   /// Writes its file, which is asked for if it has none: true if it is written.

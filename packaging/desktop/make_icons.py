@@ -11,7 +11,8 @@ import subprocess
 import sys
 
 SIZES = (16, 22, 24, 32, 48, 64, 128, 256, 512)
-KINDS = {"workcell": "cell", "motion": "trajectory", "exercise": "hand", "training": "check"}
+KINDS = {"workcell": "cell", "motion": "trajectory", "exercise": "hand", "training": "check",
+         "study": "grid", "study-results": "filter"}
 
 
 def inner(picture):

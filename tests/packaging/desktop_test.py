@@ -15,7 +15,8 @@ import tempfile
 
 DESKTOP, ICONS = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OWN = {"cell.hcell": "application/x-hapticell-workcell", "a.htraj": "application/x-hapticell-motion",
-       "a.hexercise": "application/x-hapticell-exercise", "a.htrain": "application/x-hapticell-training"}
+       "a.hexercise": "application/x-hapticell-exercise", "a.htrain": "application/x-hapticell-training",
+       "a.hstudy": "application/x-hapticell-study", "a.hresults": "application/x-hapticell-study-results"}
 OTHERS = {"a.step": "model/step", "a.stp": "model/step", "a.iges": "model/iges", "a.stl": "model/stl",
           "a.urdf": "application/x-urdf+xml"}
 
