@@ -206,7 +206,7 @@ Expected<LiftingTask> liftingTask(const nlohmann::json& object) {
   // What is there and wrong is told before what is not there.
   HAPTICELL_TRY(checkLiftingRanges(task));
   if (missing) return refused(missing, Text("it is missing"), Text("a number; the equation needs all fields"));
-  const json coupling = object.value("coupling", json());
+  const nlohmann::json coupling = object.value("coupling", nlohmann::json());
   if (coupling == "good") {
     task.coupling = Coupling::kGood;
   } else if (coupling == "fair") {
@@ -279,7 +279,7 @@ Expected<ScoredInput> rebaInput(const nlohmann::json& input) {
 Expected<ScoredInput> owasInput(const nlohmann::json& input) {
   const Owas method;
   HAPTICELL_TRY(checkNames(input, "", {"code"}));
-  const json code = input.value("code", json());
+  const nlohmann::json code = input.value("code", nlohmann::json());
   std::string digits;
   if (code.is_string()) digits = code.get<std::string>();
   if (code.is_number_integer()) digits = code.dump();
@@ -313,7 +313,7 @@ Expected<LiftingInput> liftingInput(const nlohmann::json& input) {
     result.conditions.*field.member = value->get<bool>();
   }
   result.is_composite = input.contains("tasks");
-  const json tasks = result.is_composite ? input["tasks"] : json::array({input});
+  const nlohmann::json tasks = result.is_composite ? input["tasks"] : nlohmann::json::array({input});
   if (!tasks.is_array() || tasks.empty()) return refused("tasks", shortText(tasks), Text("a list of lifting tasks"));
   for (const nlohmann::json& task : tasks) {
     if (!task.is_object()) return refused("tasks", shortText(task), Text("a list of lifting tasks"));
