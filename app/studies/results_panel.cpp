@@ -103,7 +103,7 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   hide_->setToolTip(tr("Show the cell as it is in the document again"));
   cell_ = makeResultsButton("buttonOpenStudyCell", tr("Open its cell"));
   QPushButton* open = makeResultsButton("buttonOpenResults", tr("Open…"));
-  export_ = makeResultsButton("buttonExportResults", tr("Export…"));
+  export_ = makeResultsButton("buttonExportStudyResults", tr("Export…"));
   second->addWidget(says_, 1);
   for (QPushButton* button : {use_, hide_, cell_, open, export_}) second->addWidget(button);
   column.addLayout(second);

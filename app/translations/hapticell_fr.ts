@@ -6972,7 +6972,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>No results yet. Run a study, or open a results file.</source>
-        <translation>Pas encore de résultats. Lancez une étude, ou ouvrez un fichier de résultats.</translation>
+        <translation>Aucun résultat. Lancez une étude ou ouvrez un fichier.</translation>
     </message>
     <message>
         <source>No robot is selected</source>
