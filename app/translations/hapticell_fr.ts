@@ -6972,7 +6972,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>No results yet. Run a study, or open a results file.</source>
-        <translation>Aucun résultat. Lancez une étude ou ouvrez un fichier.</translation>
+        <translation>Aucun résultat.</translation>
     </message>
     <message>
         <source>No robot is selected</source>
