@@ -3,6 +3,7 @@
 
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QTimer>
 
 #include "app/shell/main_window.h"
 #include "app/studies/results_panel.h"
@@ -25,14 +26,21 @@ void show(MainWindow& window, const char* dock) {
   found->raise();
 }
 
-/// The study with its cell, where that is not open already.
+/// The study with its cell, where that is not open already and nothing would be lost.
 void openStudy(MainWindow& window, StudyPanel& panel, const QString& path) {
   panel.openFile(path);
   const QString cell = panel.cell();
-  if (!cell.isEmpty() &&
-      QFileInfo(cell) != QFileInfo(QString::fromStdString(window.documentModel().document().path().string())))
-    window.openFile(cell);
-  show(window, "dockStudy");
+  const workcell::Document& document = window.documentModel().document();
+  if (cell.isEmpty() || QFileInfo(cell) == QFileInfo(QString::fromStdString(document.path().string())))
+    return show(window, "dockStudy");
+  if (window.documentModel().isDirty()) {
+    window.messages().tell(Severity::kInformation, QObject::tr("The study is open, its workcell is not"),
+                           QObject::tr("Save this workcell, then open %1.").arg(QFileInfo(cell).fileName()));
+    return show(window, "dockStudy");
+  }
+  // What a cell brings to the front when it is opened comes first.
+  window.openCell(cell, &panel,
+                  [&window, &panel] { QTimer::singleShot(0, &panel, [&window] { show(window, "dockStudy"); }); });
 }
 
 }  // namespace

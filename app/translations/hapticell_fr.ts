@@ -8795,6 +8795,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer cette vue</translation>
     </message>
     <message>
+        <source>Save this workcell, then open %1.</source>
+        <translation>Enregistrez cette cellule, puis ouvrez %1.</translation>
+    </message>
+    <message>
         <source>Saved as a copy: %1. The recording is unchanged</source>
         <translation>Enregistré en copie : %1. L'enregistrement d'origine est inchangé</translation>
     </message>
@@ -10189,6 +10193,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The study is about %1, not about the open workcell.</source>
         <translation>L'étude porte sur %1, pas sur la cellule ouverte.</translation>
+    </message>
+    <message>
+        <source>The study is open, its workcell is not</source>
+        <translation>L'étude est ouverte, mais pas sa cellule</translation>
     </message>
     <message>
         <source>The study was not changed</source>
