@@ -2,9 +2,12 @@
 // Studies in the whole window under a virtual display: real clicks, through StudiesPage.
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QDockWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 
+#include "app/shell/file_opening.h"
 #include "app/style/segmented.h"
 #include "tests/app/pages/studies_page.h"
 
@@ -143,11 +146,11 @@ TEST(StudiesDock, AStoppedRunContinues) {
   page.type("fieldSteps", "60");
   page.click("buttonRunStudy");
   EXPECT_FALSE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled()) << page.words("labelStudyRun").toStdString();
-  ASSERT_TRUE(StudiesPage::until([&] { return page.words("labelStudyRun").contains(" left"); },
-                                 StudiesPage::kRunPatience));
+  ASSERT_TRUE(
+      StudiesPage::until([&] { return page.words("labelStudyRun").contains(" left"); }, StudiesPage::kRunPatience));
   page.click("buttonStopStudy");
-  ASSERT_TRUE(StudiesPage::until([&] { return page.words("labelStudyRun").contains("Stopped"); },
-                                 StudiesPage::kRunPatience))
+  ASSERT_TRUE(
+      StudiesPage::until([&] { return page.words("labelStudyRun").contains("Stopped"); }, StudiesPage::kRunPatience))
       << page.words("labelStudyRun").toStdString();
   const int before = page.resultRows();
   EXPECT_LT(before, 180);
@@ -191,6 +194,19 @@ TEST(StudiesDock, ResultsFromElsewhereAreOpenedAndSayWhatIsMissing) {
   // No results at all.
   page.openResults(page.file("small.hstudy"));
   EXPECT_EQ(page.window().messages().messages().back().severity, Severity::kProblem);
+}
+
+TEST(StudiesDock, ADoubleClickOpensAStudyWithItsCell) {
+  StudiesPage page;
+  openAny(page.window(), page.file("small.hstudy"));
+  auto* const dock = page.window().findChild<QDockWidget*>("dockStudy");
+  ASSERT_NE(dock, nullptr);
+  const auto hasCell = [&] { return page.document().document().path().filename() == "car-door.hcell"; };
+  ASSERT_TRUE(QTest::qWaitFor(hasCell, 30000));
+  page.settle();
+  // Shown after the cell, whose layout would put it away.
+  EXPECT_TRUE(dock->toggleViewAction()->isChecked());
+  EXPECT_TRUE(page.window().findChild<StudyPanel*>()->cell().endsWith("car-door.hcell"));
 }
 
 TEST(StudiesDock, TheScriptIsShownBeforeItIsSubmitted) {
