@@ -32,6 +32,23 @@ def manifest():
         sys.exit(77)
     return yaml.safe_load(MANIFEST.read_text(encoding="utf-8"))
 
+# What the project asks CMake for, and the module or, as "sdk", the runtime's SDK that has it.
+FOUND_IN = {"Boost": "boost", "CLI11": "cli11", "CycloneDDS": "cyclonedds", "Eigen3": "eigen", "LibArchive": "sdk", "NLopt": "nlopt",
+            "OpenCASCADE": "opencascade", "OpenMesh": "openmesh", "OpenSSL": "sdk", "PkgConfig": "sdk", "Python3": "sdk", "Qt6": "sdk",
+            "SQLite3": "sdk", "TBB": "onetbb", "Threads": "sdk", "assimp": "assimp", "draco": "draco", "glm": "glm",
+            "meshoptimizer": "meshoptimizer", "nlohmann_json": "nlohmann-json", "ompl": "ompl", "pugixml": "pugixml",
+            "sdformat12": "sdformat", "spdlog": "spdlog", "tl-expected": "tl-expected", "tomlplusplus": "tomlplusplus",
+            "yaml-cpp": "yaml-cpp"}
+
+
+def required_packages():
+    """What the project's own folders need, without those that the manifest leaves out."""
+    left_out = {"bench", "build", "examples", "python", "tests"}
+    lists = [ROOT / "CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake"),
+             *(file for file in ROOT.glob("*/**/CMakeLists.txt") if file.relative_to(ROOT).parts[0] not in left_out)]
+    text = "\n".join(file.read_text(encoding="utf-8") for file in lists)
+    return set(re.findall(r"^\s*find_package\(([\w-]+)[^)]*\bREQUIRED\b", text, re.MULTILINE))
+
 
 read = manifest()
 assert {"runtime", "runtime-version", "sdk", "command", "finish-args", "modules"} <= set(read), sorted(read)
@@ -49,6 +66,9 @@ for module in read["modules"]:
         else:
             assert source["type"] == "archive" and source["url"].startswith("https://"), source
             assert re.fullmatch("[0-9a-f]{64}", source["sha256"]), source
+for package in required_packages():
+    assert package in FOUND_IN, f"{package} is asked for by CMake: add a module to the manifest, and its name to FOUND_IN"
+    assert FOUND_IN[package] in (*names, "sdk"), f"{package}: there is no module {FOUND_IN[package]} in the manifest"
 options = set((ROOT / "CMakeLists.txt").read_text(encoding="utf-8").split("option(")[1:])
 for option in re.findall(r"-D(HAPTICELL_\w+)=", " ".join(read["modules"][-1]["config-opts"])):
     assert any(known.startswith(option + " ") for known in options), option
