@@ -46,10 +46,10 @@ _hapticell_options() {
   fi
 }
 complete -F _hapticell_cli hapticell-cli
-complete -F _hapticell_options hapticell hapticell-haptic-server hapticell-importer
+complete -F _hapticell_options hapticell hapticell-haptic-server hapticell-importer hapticell-ros2
 )script";
 
-constexpr std::string_view kZsh = R"script(#compdef hapticell-cli hapticell hapticell-haptic-server hapticell-importer
+constexpr std::string_view kZsh = R"script(#compdef hapticell-cli hapticell hapticell-haptic-server hapticell-importer hapticell-ros2
 # zsh completion of HaptiCell's programs, made by: hapticell-cli completion zsh
 _hapticell_cli() {
   local line word
@@ -101,7 +101,7 @@ function __hapticell_options
   $argv[1] --help 2>/dev/null | string match -ra -- '--[a-z][a-z-]+' | sort -u
 end
 complete -c hapticell-cli -f -a '(__hapticell_cli_words)'
-for program in hapticell hapticell-haptic-server hapticell-importer
+for program in hapticell hapticell-haptic-server hapticell-importer hapticell-ros2
   complete -c $program -n 'string match -q -- "-*" (commandline -ct)' -f -a "(__hapticell_options $program)"
 end
 )script";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticell-ros2 JOB: one JSON object that says what to do, as hapticell-cli ros2 makes it. The result is one JSON
 // object on standard output; a sentence on standard error and exit 2 say why not.
+#include <dds/version.h>
 #include <sys/prctl.h>
 
 #include <atomic>
@@ -9,9 +10,11 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "bridge/ros2/cell_publisher.h"
 #include "bridge/ros2/ros_listener.h"
+#include "config/program_version.h"
 #include "geometry/system/nesting_limit.h"
 
 namespace {
@@ -60,6 +63,25 @@ hapticell::Expected<nlohmann::ordered_json> listen(const nlohmann::json& job) {
   return hapticell::bridge::listen(options, stop_asked);
 }
 
+constexpr const char* kUsage = R"(Usage: hapticell-ros2 JOB
+
+Speaks with ROS 2 for hapticell-cli, which starts it, so that a fault in the DDS library cannot end it. It is not meant
+to be started by hand: use hapticell-cli ros2.
+
+JOB is one JSON object that says what to publish or to listen to. The result is one JSON object on standard output.
+
+Options:
+  --help                 show this text and exit
+  --version              show version, commit, compiler and libraries, and exit
+)";
+
+/// Answers --help and --version; false for everything else.
+bool answers(std::string_view option) {
+  if (option == "--help" || option == "-h") return std::fputs(kUsage, stdout), true;
+  if (option != "--version") return false;
+  return std::puts(hapticell::config::versionText("hapticell-ros2", {{"Cyclone DDS", DDS_VERSION}}).c_str()), true;
+}
+
 int run(const std::string& text) {
   if (!hapticell::geometry::checkNesting(text, hapticell::geometry::NestedText::kJson, "job")) return 2;
   const nlohmann::json job = nlohmann::json::parse(text, nullptr, false);
@@ -79,6 +101,7 @@ int run(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && answers(argv[1])) return 0;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // It ends with hapticell-cli.
   std::signal(SIGINT, askToStop);
   std::signal(SIGTERM, askToStop);

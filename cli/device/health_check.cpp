@@ -178,9 +178,9 @@ std::vector<HealthCheck> deviceChecks(const std::vector<DriverEntries>& drivers)
 
 std::vector<HealthCheck> programChecks() {
   std::vector<HealthCheck> checks;
-  for (const char* name : {"hapticell-haptic-server", "hapticell-importer"}) {
+  for (const char* name : {"hapticell-haptic-server", "hapticell-importer", "hapticell-ros2"}) {
     const fs::path program = siblingProgram(name);
-    const char* const package = std::strcmp(name, "hapticell-importer") == 0 ? "hapticell" : "hapticell-server";
+    const char* const package = std::strcmp(name, "hapticell-haptic-server") == 0 ? "hapticell-server" : "hapticell";
     checks.push_back(program.empty() ? HealthCheck{name, Health::kProblem, "not installed",
                                                    std::string("Install the package ") + package + "."}
                                      : HealthCheck{name, Health::kGood, program.string()});
