@@ -18,16 +18,16 @@ namespace hapticell::access {
 struct AccessQuestion {
   std::shared_ptr<const manipulation::PreparedScene> scene;
   std::string part;
-  std::string within;       ///< See RemovalScene::make().
-  /// m: overlap that counts as touching. CAD parts touch up to their tessellation (0.1 mm chord). Half: tessellated fits
-  /// lock; twice: snaps of 0.2 mm hold nothing.
+  std::string within;  ///< See RemovalScene::make().
+  /// m: overlap that counts as touching. CAD parts touch up to their tessellation (0.1 mm chord). Half: tessellated
+  /// fits lock; twice: snaps of 0.2 mm hold nothing.
   double tolerance = 1e-4;
-  BodyQuestion people;      ///< No bodies: nobody is asked.
+  BodyQuestion people;  ///< Without bodies no person is evaluated.
   /// A way shown by hand: checked and used instead of one that is searched; null: none.
   std::shared_ptr<const trajectory::Trajectory> shown;
 };
 
-/// One part that goes, in its turn.
+/// One step of the order: a part that is taken out.
 struct RemovalStep {
   std::size_t unit = 0;
   std::string name;

@@ -9,7 +9,7 @@
 
 namespace hapticell::access {
 
-/// How texts of the page are said: english(), or the window's own language.
+/// Translates the texts of the page: english(), or the window's language.
 using Saying = std::function<std::string(const Text&)>;
 
 /// What the page needs besides the answer.

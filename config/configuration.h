@@ -12,7 +12,7 @@ namespace hapticell::config {
 
 /// How a material feels when a held part touches it.
 struct Material {
-  double stiffness = 1000.0;  ///< N/m wanted; the server lowers it to what the device bears.
+  double stiffness = 1000.0;  ///< N/m wanted; the server lowers it to what is stable on the device.
   double damping = 2.0;       ///< N s/m.
   double friction = 0.15;     ///< Coulomb coefficient.
 };
@@ -40,8 +40,8 @@ struct Configuration {
     double near_miss = 0.010;             ///< Metres; shown and heard.
     double gravity_compensation = 1.0;    ///< Share of a held part's weight that is not felt; 1: none is felt.
     double edge_drift = 0.0;              ///< m/s of hand at the edge of the device's workspace; 0: none.
-    double plan_authority = 0.7;          ///< 0 .. 1: how much the way of a planner beside the hand is felt.
-    double plan_clearance = 0.002;        ///< Metres that this way keeps from everything.
+    double plan_authority = 0.7;          ///< 0 .. 1: how strongly the path of the live planner is felt.
+    double plan_clearance = 0.002;        ///< Metres: clearance of that path.
     double felt_mass = 0.5;               ///< kg whose inertia is felt at most, for the class dynamics.
     double load_damping = 0.5;            ///< N s/m against the motion of what is held, for the class dynamics.
   } manipulation;
@@ -88,8 +88,8 @@ struct Setting {
 };
 
 /// Reads a hapticell.toml over `base`: keys that it lacks keep base's values. An unknown key, a value of the wrong type
-/// or out of range is an error naming line, key and range; `base` is then what still counts.
-/// The key `preset = "classic"` sets manipulation and window to the paper's 10 Hz before the other keys are read.
+/// or out of range is an error naming line, key and range; `base` then stays in force. The key `preset = "classic"` sets
+/// manipulation and window to the paper's 10 Hz before the other keys are read.
 Expected<Configuration> readConfiguration(const std::string& path, const Configuration& base = {});
 
 /// Sets one key from text, as `--set manipulation.rate_hz=100` does.

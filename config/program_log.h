@@ -34,8 +34,8 @@ class ProgramLog {
   ProgramLog(const ProgramLog&) = delete;
   ProgramLog& operator=(const ProgramLog&) = delete;
 
-  /// One line with date, time and level; control characters become blanks (plainText()). Where it cannot be written any
-  /// more, this is said once on standard error.
+  /// One line with date, time and level; control characters become blanks (plainText()). If the file cannot be written
+  /// any more, one message goes to standard error.
   void write(LogLevel level, std::string_view sentence);
   const std::filesystem::path& file() const;
   /// For a logger of spdlog that writes to other places too.

@@ -16,13 +16,13 @@ struct BenchmarkOptions {
   std::string only;              ///< A figure ("M4"), or part of a scene's name; empty: all. Case does not matter.
   bool full = false;             ///< The counts of docs/dev/feel.md instead of reduced ones.
   bool timing = false;           ///< Also what is measured by the wall clock: M7, M11.
-  std::vector<Part> parts = {};  ///< Felt besides, for M13: steps are reported, energy and penetration judged.
+  std::vector<Part> parts = {};  ///< Also felt, for M13: steps are only reported; energy and penetration have limits.
   std::function<void(const std::string& what)> progress = {};  ///< Called by one thread at a time.
   const std::atomic<bool>* stop = nullptr;  ///< Once true, no further measurement begins. Null: never.
 };
 
 /// Runs the benchmark of docs/dev/feel.md, in virtual time but for `timing`; the same build gives the same figures.
-/// Runs on two threads. Errors: `only` names nothing, a shipped file is missing, stopped.
+/// Runs on two threads. Errors: `only` matches no figure or scene, a shipped file is missing, stopped.
 Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options);
 
 }  // namespace hapticell::feel

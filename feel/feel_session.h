@@ -48,8 +48,8 @@ class FeelSession {
   /// metric (a torque counts with the lever kRotationLever).
   FeelSession(const FeelScene& scene, const SessionSetup& setup);
 
-  /// Puts stylus and proxy there; the hand holds still for `rest` seconds, in which the gate opens and the force has
-  /// come in if they are enough.
+  /// Puts stylus and proxy there. The hand then holds still for `rest` seconds; if that is long enough, the engage gate
+  /// opens and the force reaches its full value.
   void begin(const dvec3& start, double rest = 1.2);
   /// Hand along the path for `duration`; nothing is measured if `measured` is false.
   void follow(const std::function<dvec3(double)>& path, double duration, bool measured = true);
@@ -99,7 +99,8 @@ class FeelSession {
   FeelFigures figures_;
 };
 
-/// So deep an intended pose that about `force` newtons are felt: the hand's spring and the coupling (1 N/mm) in series.
+/// Depth (m) of the intended pose at which about `force` newtons are felt: the hand's spring and the coupling (1 N/mm)
+/// in series.
 constexpr double pressDepth(const haptic::HandOptions& hand, double force = 2.0) {
   return force / hand.stiffness + force / 1000.0;
 }

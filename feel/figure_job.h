@@ -11,7 +11,7 @@
 
 namespace hapticell::feel {
 
-/// Some figures that come of the same sessions. Jobs share nothing and may run at the same time.
+/// Some figures that are computed from the same sessions. Jobs share nothing and may run at the same time.
 struct FigureJob {
   std::vector<std::string> ids;  ///< "M1", "M2" ...
   std::string scene;

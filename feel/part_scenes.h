@@ -15,13 +15,13 @@ struct Part {
   geometry::TriangleMesh mesh;
 };
 
-/// What no surface of the kinds that are recognised tells: a dish that is free-form and hollow, a trough of flat
-/// facets, a rack with teeth.
+/// Parts that no recognised surface describes: a hollow free-form dish, a trough of flat facets, a rack with teeth.
 std::vector<Part> freeFormParts();
 
-/// The held ball on the top of the part, pressed down and led over it. The truth knows how deep the ball is in the
-/// triangles, by a distance query of its own, and of the force nothing: depth and direction are not measured. A part
-/// under whose bounds' middle there is nothing is felt beside it, or not at all.
+/// The held ball on the top of the part, pressed down and led over it. The reference knows the ball's depth in the
+/// triangles from a separate distance query, but not the exact force, so depth and direction of the force are not
+/// measured. If there is no surface below the middle of the part's bounds, the ball may touch the part beside that
+/// point or not at all.
 MeshCase makePartCase(const Part& part);
 
 }  // namespace hapticell::feel

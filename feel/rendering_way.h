@@ -18,7 +18,7 @@ class RenderingWay {
   virtual void offer(const haptic::ConstraintSet& set, double age) = 0;
   virtual haptic::RenderResult tick(const Pose& X_DS, double dt) = 0;
   virtual void noteApplied(const dvec3& force_D, const dvec3& torque_D) = 0;
-  /// N that the motors may do now.
+  /// N that the motors may give now.
   virtual void setForceLimit(double newtons) = 0;
 };
 

@@ -24,15 +24,15 @@ class FeelScene {
   virtual ConstraintSet setAt(const Pose& X_DP, double t) const = 0;
   /// How deep the proxy lies inside the obstacle (or off the guide), 0 outside; the second method for it.
   virtual double penetration(const Pose& X_DP, double t) const = 0;
-  /// The same of a held body that is drawn by facets, were it as round as it means to be; 0 where nothing is.
+  /// The same for a held body made of facets, computed as if it were exactly round; 0 without contact.
   virtual double roundPenetration(const Pose&, double) const { return 0.0; }
   /// Where the hand goes `t` seconds into the sliding, and for how long; `press` is the depth of the intended pose.
   virtual dvec3 handAt(double t, double press) const = 0;
   /// How fast everything drifts, m/s (an obstacle on a conveyor and the hand that goes with it).
   virtual dvec3 drift() const { return dvec3(0.0); }
-  /// The hand that goes there; one that is to follow a sharp curve must be stiffer than it presses deep.
+  /// The hand for this path. To follow a sharp curve it must be stiff compared with how deep it presses.
   virtual haptic::HandOptions hand() const { return {}; }
-  /// How the hand turns the stylus meanwhile.
+  /// How the hand turns the stylus during the sliding.
   virtual dquat turnAt(double) const { return dquat(1.0, 0.0, 0.0, 0.0); }
   /// A free place near the path's beginning, with no force.
   virtual dvec3 start() const { return handAt(0.0, -0.004); }
@@ -64,15 +64,15 @@ std::unique_ptr<FeelScene> boxScene();
 /// A peg, 30 mm long, in a hole with 0.05 mm of clearance and a bottom: planes in 8 directions at both rims.
 std::unique_ptr<FeelScene> pegScene();
 
-/// Obstacle and hand drift at `velocity` (m/s), the hand besides along the scene's own path; for `duration` of sliding
-/// (s) about the middle of the workspace.
+/// Obstacle and hand drift at `velocity` (m/s); the hand also follows the scene's own path. Lasts for `duration` (s) of
+/// sliding, centred in the workspace.
 std::unique_ptr<FeelScene> driftingScene(std::unique_ptr<FeelScene> scene, const dvec3& velocity, double duration);
 /// `cell` felt through a motion scale of so many metres of the cell a metre of hand; the hand goes along the path of
 /// `hand`, the same thing in its own size.
 std::unique_ptr<FeelScene> scaledScene(std::unique_ptr<FeelScene> cell, std::unique_ptr<FeelScene> hand, double scale);
 
-/// `scene` at full authority of a planner (manipulation/engine/felt_plan.h) whose way changes ten times a second, in any
-/// direction.
+/// `scene` at full authority of a planner (manipulation/engine/felt_plan.h) whose way changes ten times a second, in
+/// any direction.
 std::unique_ptr<FeelScene> plannedScene(std::unique_ptr<FeelScene> scene);
 
 /// The built-in robot dragged by its tool centre point against the upper limit of its third joint.

@@ -21,12 +21,12 @@ struct ClientRate {
 
 inline constexpr ClientRate kRates[] = {{10.0, 0.05}, {60.0, 0.01}, {1000.0, 0.001}};
 
-/// A client that looks at its rate and whose sets arrive late.
+/// A client that makes sets at its own rate; they arrive late.
 class SlowClient {
  public:
   SlowClient(const FeelScene& scene, ClientRate rate) : scene_(scene), rate_(rate) {}
 
-  /// At time t: looks when it is due; offers what has arrived.
+  /// At time t: makes a set if one is due, and returns a set that has arrived.
   void step(double t, RenderingWay& way);
 
   void stall(double from, double until) {

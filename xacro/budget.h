@@ -8,9 +8,9 @@
 
 namespace hapticell::xacro {
 
-/// What one expansion may use, so that no file holds the program up or fills its memory: steps of evaluation and
-/// elements, bytes of texts and lists made, and levels of anything nested (macros, files, expressions, properties that
-/// name each other). Passing a bound throws Fault. The largest public description uses a twentieth of each.
+/// Limits of one expansion, so that no file can block the program or fill its memory: steps of evaluation and elements,
+/// bytes of texts and lists made, and levels of anything nested (macros, files, expressions, properties that name each
+/// other). Exceeding a limit throws Fault. The largest public description uses a twentieth of each.
 class Budget {
  public:
   static constexpr std::size_t kMostSteps = 3'000'000;

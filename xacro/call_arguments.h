@@ -7,7 +7,7 @@
 
 namespace hapticell::xacro {
 
-/// Checks how often a function was given something: `least` to `most` values, and names only where `named` is true.
+/// Checks the number of arguments of a call: `least` to `most` values, and named ones only if `named` is true.
 inline void expectArguments(const Call& call, const std::string& name, std::size_t least, std::size_t most,
                             bool named = false) {
   if (call.arguments.size() >= least && call.arguments.size() <= most && (named || call.named.empty())) return;

@@ -26,7 +26,7 @@ class Expander {
   std::string nameOf(int file) const { return sources_.nameOf(file); }
 
  private:
-  /// What is known where an element is expanded.
+  /// The context in which an element is expanded.
   struct Context {
     Scope& symbols;
     MacroScope& macros;

@@ -8,8 +8,8 @@
 
 namespace hapticell::xacro {
 
-/// The function that `value.name` is, of those that texts, lists and dictionaries have here: they read the value and
-/// make a new one. Nothing for all other names.
+/// The method `value.name` of a text, list or dictionary. The supported methods read the value and return a new one.
+/// Empty for all other names.
 std::optional<Value> methodOf(const Value& value, const std::string& name);
 
 }  // namespace hapticell::xacro

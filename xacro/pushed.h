@@ -6,7 +6,7 @@
 
 namespace hapticell::xacro {
 
-/// Keeps a place on a stack for as long as it lives, whatever is thrown.
+/// Keeps an entry on a stack during its own lifetime, also when an exception is thrown.
 template <class T>
 class Pushed {
  public:

@@ -12,13 +12,14 @@
 
 namespace hapticell::xacro {
 
-/// Names of properties and what they are worth, with the scope around. A text is evaluated when it is first asked for,
-/// in the scope that holds it. Scopes belong to a Scopes.
+/// Names and values of properties, and the enclosing scope. A text is evaluated when it is first asked for, in the
+/// scope that holds it. Scopes belong to a Scopes.
 class Scope {
  public:
   Scope(Scope* parent, bool name_space) : parent_(parent), name_space_(name_space) {}
 
-  /// Here or in a scope around; nothing: not known. Fault where its text cannot be evaluated or needs itself.
+  /// Looks here and in the enclosing scopes; empty: not known. Fault where its text cannot be evaluated or needs
+  /// itself.
   const Value* find(const std::string& name, Interpreter& interpreter);
   bool holds(const std::string& name) const;
   /// `text_is_expression`: a text is evaluated later, at its first use, else it is one.
@@ -52,7 +53,8 @@ class Scopes {
 /// inside of 'a text in quotes', else the text.
 Value literalOf(const std::string& text);
 
-/// What a condition's value says: true, false, 1, 0 as texts, else whether it is something. Fault for other texts.
+/// The truth value of a condition: the texts true and false, and whole numbers; other kinds as in Python. Fault for
+/// other texts.
 bool conditionOf(const Value& value, const std::string& written);
 
 /// Reads numbers like Python's int() and float(), with blanks around them; empty if the text is not a number.

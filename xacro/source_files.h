@@ -51,7 +51,7 @@ class SourceFiles {
   std::vector<int> entered_;
 };
 
-/// What is said of a reference that leads to no file.
+/// The message about a reference that leads to no file.
 Fault notFound(const std::string& reference);
 
 }  // namespace hapticell::xacro

@@ -68,7 +68,7 @@ struct DictValue {
   const Value* find(const std::string& key) const { return find(Value(key)); }
 };
 
-/// What a function is called with.
+/// The arguments of a call.
 struct Call {
   Interpreter& interpreter;
   std::vector<Value> arguments;
@@ -102,7 +102,7 @@ double numberOf(const Value& value);
 std::int64_t wholeOf(const Value& value);
 /// Python's ==: numbers by value, lists item by item.
 bool equal(const Value& a, const Value& b, Budget& budget);
-/// Below, equal or above zero, of numbers, texts, lists; Fault for others.
+/// Negative, zero or positive, for numbers, texts and lists; Fault for others.
 int compare(const Value& a, const Value& b, Budget& budget);
 
 }  // namespace hapticell::xacro

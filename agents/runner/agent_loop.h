@@ -17,14 +17,15 @@ struct ShownWish {
   bool enabled = true;
   dvec3 p_W{0.0};      ///< Where the arrow begins, m.
   dvec3 arrow_W{0.0};  ///< m/s, times the weight.
-  double strength = 0.0;  ///< Of the fastest variable's greatest speed, times the weight; above 1: more than is possible.
+  double strength =
+      0.0;  ///< Of the fastest variable's greatest speed, times the weight; above 1: more than is possible.
 };
 
 /// Sums the wishes of agents and moves the entity by them, step by step. One thread.
 ///
-/// The sum is bent along what is near (velocity dampers, Faverjon and Tournassoud 1987), cut to the greatest speeds, and
-/// made only as far as the exact distances prove that no pair comes into contact; after the step every pair keeps the
-/// clearance, or the distance that it had where that was less.
+/// The sum is bent along what is near (velocity dampers, Faverjon and Tournassoud 1987), cut to the greatest speeds,
+/// and made only as far as the exact distances prove that no pair comes into contact; after the step every pair keeps
+/// the clearance, or the distance that it had where that was less.
 class AgentLoop {
  public:
   /// s of a step. Half: twice the work; twice: longer steps are cut more often near obstacles.
@@ -52,7 +53,7 @@ class AgentLoop {
   /// m to the goal, a radian counting 0.25 m where the goal has an orientation.
   double remaining() const;
   bool hasArrived() const;
-  /// Asks the agents that are switched on, in their order, who takes a deadlock in hand; its name, or empty.
+  /// Asks the enabled agents in their order to resolve a deadlock; returns the name of the first that does, or empty.
   std::string handOverDeadlock();
 
  private:

@@ -10,18 +10,18 @@
 
 namespace hapticell::agents {
 
-/// What became of one run.
+/// The result of one run.
 struct RunResult {
   std::uint64_t number = 0;  ///< Of the run; start and goal depend on it and the seed alone.
   RunMode mode = RunMode::kBoth;
   bool solved = false;
-  Text reason;               ///< Why it is not solved, and who may go on.
+  Text reason;               ///< Why it is not solved, and who may continue.
   double time_s = 0.0;       ///< Until it was solved or given up, virtual time.
   double way_m = 0.0;        ///< Of the moved frame.
   double remaining_m = 0.0;  ///< At the end.
   double clearance_m = 0.0;  ///< Least distance to the cell in all steps, at most 0.15.
   int deadlocks = 0;
-  std::vector<Text> handed_over;  ///< A sentence for each deadlock.
+  std::vector<Text> handed_over;            ///< A sentence for each deadlock.
   std::map<std::string, double> strengths;  ///< Mean strength of each agent's wishes.
   // Of a mannequin, at the end; else 0.
   int rula = 0, reba = 0;

@@ -8,8 +8,8 @@
 
 namespace hapticell::agents {
 
-/// Recognises that nothing gets nearer: for a second the least remaining way has not become smaller and the moved frame
-/// has stayed about where it was, or it goes about for five seconds without coming nearer.
+/// Recognises a deadlock: for one second the least remaining distance has not decreased and the moved frame has hardly
+/// moved, or for five seconds it has moved without coming nearer.
 class DeadlockWatch {
  public:
   /// s without progress at one place. Half: gives up while it turns round a corner; twice: a person has long seen it.
@@ -38,7 +38,7 @@ class DeadlockWatch {
     nearer_at_ = moved_at_ = t;
     return true;
   }
-  /// Someone took the matter in hand: it may go back first, for `patience` s.
+  /// An agent resolves the deadlock: the entity may first move back, for `patience` s.
   void restart(double t, double remaining, double patience) {
     least_ = remaining;
     nearer_at_ = moved_at_ = t + patience;

@@ -19,7 +19,7 @@ struct AgentView {
   std::span<const NearPair> near;  ///< All pairs within kLook of each other.
   const AgentGoal& goal;
   const LineOfSight& cell;
-  double t = 0.0;  ///< s since the start.
+  double t = 0.0;    ///< s since the start.
   double dt = 0.02;  ///< s of a step.
 };
 
@@ -40,16 +40,16 @@ class Agent {
   virtual ~Agent() = default;
   /// The wish at this step. An agent that wants nothing leaves `wish` as it is.
   virtual void wish(const AgentView& view, Wish& wish) = 0;
-  /// No progress for a second. True: this agent has taken the matter in hand (the operator does).
+  /// Called after a second without progress. True: this agent resolves the deadlock (the operator does).
   virtual bool onDeadlock(const AgentView& /*view*/) { return false; }
 };
 
-/// From what agents are made.
+/// What is needed to make an agent.
 struct AgentMaking {
   const AgentSection& section;
   const AgentTask& task;
-  const MovedBody& body;          ///< At the start.
-  workcell::EntityId look_at = 0;  ///< The entity of the goal's look_at; 0: none.
+  const MovedBody& body;                            ///< At the start.
+  workcell::EntityId look_at = 0;                   ///< The entity of the goal's look_at; 0: none.
   std::span<const Clearances::Obstacle> obstacles;  ///< They outlive the agent.
   std::uint64_t seed = 0;
 };

@@ -6,7 +6,7 @@
 
 namespace hapticell::agents {
 
-/// The error where an agent that is for mannequins is asked to move something else.
+/// The error if an agent for mannequins is used with another kind of entity.
 inline Expected<void> needFigure(const AgentMaking& making) {
   if (making.body.figure() != nullptr) return {};
   return makeError(making.section.fault(Text("the entity '%1' is no mannequin", making.task.entity),

@@ -24,7 +24,7 @@ constexpr double kSide = 46.0;  // Pixels for the names of the first and last ax
 
 ParallelChart::ParallelChart(const ResultTable& table, QWidget* parent) : QWidget(parent), table_(table) {
   setObjectName("parallelChart");
-  setAccessibleName(tr("All variants over what varies and what counts"));
+  setAccessibleName(tr("All variants: varied values and results"));
   setFocusPolicy(Qt::StrongFocus);
   connect(&table_, &ResultTable::rowsChanged, this, &ParallelChart::scale);
   connect(&table_, &ResultTable::chosenChanged, this, [this] { update(); });

@@ -60,7 +60,7 @@ RangeFields::RangeFields(StudyDraft& draft, const studies::StudyPlace& place, Un
   auto* rows = static_cast<QVBoxLayout*>(pages_->widget(kList)->layout());
   addRow(*rows, tr("Values"), list_, 60);
   rows->addStretch(1);
-  addField(pages_->widget(kNormal), "fieldMiddle", tr("Middle"), "middle");
+  addField(pages_->widget(kNormal), "fieldMiddle", tr("Mean"), "middle");
   addField(pages_->widget(kNormal), "fieldSigma", tr("Sigma"), "sigma");
   static_cast<QVBoxLayout*>(pages_->widget(kNormal)->layout())->addStretch(1);
   connect(form_, &Segmented::chosen, this, &RangeFields::chooseForm);

@@ -78,9 +78,9 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   kind_->setObjectName("segmentsResults");
   kind_->setAccessibleName(tr("View of the results"));
   kind_->setCurrent(kTable);
-  across_ = makeColumnChoice("choiceAcross", tr("Result across"));
-  up_ = makeColumnChoice("choiceUp", tr("Result upwards"));
-  color_ = makeColumnChoice("choiceColor", tr("Result that colours map and lines"));
+  across_ = makeColumnChoice("choiceAcross", tr("Result on the horizontal axis"));
+  up_ = makeColumnChoice("choiceUp", tr("Result on the vertical axis"));
+  color_ = makeColumnChoice("choiceColor", tr("Result shown as colour in map and lines"));
   map_ = new QCheckBox(tr("Map"));
   map_->setObjectName("checkMap");
   map_->setToolTip(tr("Colour the places of the variants in the scene"));

@@ -373,7 +373,7 @@ void SectionForm::addUnknown(QVBoxLayout& rows) {
     QStringList keys;
     for (const std::string& key : draft_.unknownKeys(*place_))
       keys << QString::fromStdString(key + " = " + draft_.text().written(*place_, key));
-    unknown->setText(keys.isEmpty() ? QString() : tr("Kept as written: %1").arg(keys.join(QStringLiteral("; "))));
+    unknown->setText(keys.isEmpty() ? QString() : tr("Not editable here, kept unchanged: %1").arg(keys.join(QStringLiteral("; "))));
   });
 }
 

@@ -88,7 +88,7 @@ void StudyPanel::addTop(QVBoxLayout& column) {
   QPushButton* open = makeStudyButton("buttonOpenStudy", tr("Open…"));
   save_ = makeStudyButton("buttonSaveStudy", tr("Save"));
   save_as_ = makeStudyButton("buttonSaveStudyAs", tr("Save as…"));
-  begin->setToolTip(tr("Begin a study of the open workcell"));
+  begin->setToolTip(tr("Create a study of the open workcell"));
   top->addWidget(sideBySide({begin, open}));
   top->addWidget(sideBySide({save_, save_as_}));
   about_ = makeLive(2, TextRole::kText);
@@ -138,7 +138,7 @@ void StudyPanel::fillMenu(QMenu& menu) {
   for (const StudyKind& kind : varyKinds()) add(*vary, studyFieldLabel(kind.label), "vary", kind.name);
   QMenu* ask = menu.addMenu(tr("What is asked"));
   for (const StudyKind& kind : askKinds()) add(*ask, studyFieldLabel(kind.label), "ask", kind.name);
-  add(menu, tr("What must hold"), "require", "");
+  add(menu, tr("Requirement"), "require", "");
   add(menu, tr("Objective"), "objective", "");
   menu.addSeparator();
   QAction* workplace = menu.addAction(tr("Workplace for four bodies"));
@@ -150,7 +150,7 @@ void StudyPanel::addVariants(QVBoxLayout& column) {
   QVBoxLayout* variants = addSection(column, tr("Variants"));
   method_ = new QComboBox;
   method_->setObjectName("choiceMethod");
-  method_->addItems({tr("Every combination"), tr("Lists in step"), tr("Halton samples"), tr("Sobol samples"),
+  method_->addItems({tr("Every combination"), tr("Lists in parallel"), tr("Halton samples"), tr("Sobol samples"),
                      tr("Search for the best")});
   addRow(*variants, tr("Method"), method_);
   const auto field = [&](const char* name, double most) {

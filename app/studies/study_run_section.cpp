@@ -64,7 +64,7 @@ StudyRunSection::StudyRunSection(Host& host, StudyDraft& draft, StudyRunner& run
   });
   connect(&runner_, &StudyRunner::failed, this, [this](const Error& error) {
     last_ = shownText(error);
-    host_.messages().reportCause(Severity::kWarning, tr("The study did not run"), error);
+    host_.messages().reportCause(Severity::kWarning, tr("The study could not be run"), error);
     refresh();
   });
   connect(&draft_, &StudyDraft::changed, this, [this] {
@@ -204,7 +204,7 @@ void StudyRunSection::refresh() {
   if (state == State::kIdle) {
     bar_->setValue(0);
     if (!last_.isEmpty()) return says_->setText(last_);
-    return says_->setText(draft_.isEmpty() ? tr("Begin a study of the open workcell, or open one.") : QString());
+    return says_->setText(draft_.isEmpty() ? tr("Create a study of the open workcell, or open one.") : QString());
   }
   if (state == State::kPreparing) return says_->setText(tr("Reading the cell and preparing all shapes…"));
   if (state == State::kCluster) {

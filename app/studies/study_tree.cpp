@@ -21,7 +21,7 @@ QString groupName(int group) {
     case 1:
       return StudyTree::tr("What is asked");
     case 2:
-      return StudyTree::tr("What must hold");
+      return StudyTree::tr("Requirements");
     default:
       return StudyTree::tr("Objectives");
   }
@@ -33,7 +33,7 @@ QString number(const StudyDraft& draft, const StudyPlace& place, const char* key
 
 QString rangeWords(const StudyDraft& draft, const StudyPlace& place) {
   const auto says = [&](const char* key) { return !draft.text().written(place, key).empty(); };
-  if (says("library")) return StudyTree::tr("all of the library");
+  if (says("library")) return StudyTree::tr("all library robots");
   if (says("values")) {
     const StudyValue value = draft.text().value(place, "values");
     if (const auto* numbers = std::get_if<std::vector<double>>(&value))
@@ -50,7 +50,7 @@ QString rangeWords(const StudyDraft& draft, const StudyPlace& place) {
 
 StudyTree::StudyTree(StudyDraft& draft, QWidget* parent) : QTreeWidget(parent), draft_(draft) {
   setObjectName("treeStudy");
-  setAccessibleName(tr("What the study says"));
+  setAccessibleName(tr("Content of the study"));
   setHeaderHidden(true);
   setColumnCount(1);
   setRootIsDecorated(false);

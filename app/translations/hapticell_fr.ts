@@ -2947,8 +2947,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>All variants over what varies and what counts</source>
-        <translation>Toutes les variantes selon ce qui varie et ce qui compte</translation>
+        <source>All variants: varied values and results</source>
+        <translation>Toutes les variantes : valeurs variées et résultats</translation>
     </message>
     <message>
         <source>Allow motion along %1 (%1: only this axis)</source>
@@ -3257,14 +3257,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Base, TCP fixed</source>
         <translation>Base, TCP fixe</translation>
-    </message>
-    <message>
-        <source>Begin a study of the open workcell</source>
-        <translation>Commencer une étude de la cellule ouverte</translation>
-    </message>
-    <message>
-        <source>Begin a study of the open workcell, or open one.</source>
-        <translation>Commencez une étude de la cellule ouverte, ou ouvrez-en une.</translation>
     </message>
     <message>
         <source>Belly depth, sitting</source>
@@ -4067,6 +4059,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Contenu</translation>
     </message>
     <message>
+        <source>Content of the study</source>
+        <translation>Contenu de l'étude</translation>
+    </message>
+    <message>
         <source>Contents</source>
         <translation>Sommaire</translation>
     </message>
@@ -4145,6 +4141,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Create a new key (hapticell-haptic-server --pair). If nobody has read this one, run chmod 600 on it.</source>
         <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
+    </message>
+    <message>
+        <source>Create a study of the open workcell</source>
+        <translation>Créer une étude de la cellule ouverte</translation>
+    </message>
+    <message>
+        <source>Create a study of the open workcell, or open one.</source>
+        <translation>Créez une étude de la cellule ouverte, ou ouvrez-en une.</translation>
     </message>
     <message>
         <source>Create the mechanism</source>
@@ -5947,10 +5951,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder le bouton du stylet pressé pour déplacer</translation>
     </message>
     <message>
-        <source>Kept as written: %1</source>
-        <translation>Gardé tel quel : %1</translation>
-    </message>
-    <message>
         <source>Key</source>
         <translation>Touche</translation>
     </message>
@@ -6135,7 +6135,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Liste</translation>
     </message>
     <message>
-        <source>Lists in step</source>
+        <source>Lists in parallel</source>
         <translation>Listes en parallèle</translation>
     </message>
     <message>
@@ -6317,6 +6317,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>May step</source>
         <translation>Peut avancer</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>Mean deviation that loses all points for it</source>
@@ -7053,6 +7057,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Not connected</source>
         <translation>Pas connecté</translation>
+    </message>
+    <message>
+        <source>Not editable here, kept unchanged: %1</source>
+        <translation>Non modifiable ici, gardé tel quel : %1</translation>
     </message>
     <message>
         <source>Not enough memory</source>
@@ -8443,6 +8451,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapport…</translation>
     </message>
     <message>
+        <source>Requirement</source>
+        <translation>Exigence</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>Exigences</translation>
+    </message>
+    <message>
         <source>Reset</source>
         <translation>Réinitialiser</translation>
     </message>
@@ -8475,16 +8491,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Result across</source>
+        <source>Result on the horizontal axis</source>
         <translation>Résultat en abscisse</translation>
     </message>
     <message>
-        <source>Result that colours map and lines</source>
-        <translation>Résultat qui colore carte et tracés</translation>
+        <source>Result on the vertical axis</source>
+        <translation>Résultat en ordonnée</translation>
     </message>
     <message>
-        <source>Result upwards</source>
-        <translation>Résultat en ordonnée</translation>
+        <source>Result shown as colour in map and lines</source>
+        <translation>Résultat qui colore carte et tracés</translation>
     </message>
     <message>
         <source>Results</source>
@@ -10183,12 +10199,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'étude n'a pas pu être ouverte</translation>
     </message>
     <message>
-        <source>The study could not be saved</source>
-        <translation>L'étude n'a pas pu être enregistrée</translation>
+        <source>The study could not be run</source>
+        <translation>L'étude n'a pas pu être exécutée</translation>
     </message>
     <message>
-        <source>The study did not run</source>
-        <translation>L'étude n'a pas été exécutée</translation>
+        <source>The study could not be saved</source>
+        <translation>L'étude n'a pas pu être enregistrée</translation>
     </message>
     <message>
         <source>The study is about %1, not about the open workcell.</source>
@@ -10951,16 +10967,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui est demandé</translation>
     </message>
     <message>
-        <source>What must hold</source>
-        <translation>Ce qui est exigé</translation>
-    </message>
-    <message>
         <source>What the 3D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
-    </message>
-    <message>
-        <source>What the study says</source>
-        <translation>Ce que dit l'étude</translation>
     </message>
     <message>
         <source>What the tip touches</source>
@@ -13119,8 +13127,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
-        <source>all of the library</source>
-        <translation>toute la bibliothèque</translation>
+        <source>all library robots</source>
+        <translation>tous les robots de la bibliothèque</translation>
     </message>
     <message>
         <source>all of them</source>

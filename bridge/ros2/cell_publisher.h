@@ -12,7 +12,7 @@
 
 namespace hapticell::bridge {
 
-/// What is said of a cell, and how.
+/// What is published of a cell, and how.
 struct PublishOptions {
   RosNodeOptions node;
   std::string workcell, entity;  ///< `entity`: the robot; empty: the only one of the cell.

@@ -152,7 +152,7 @@ Expected<ordered_json> accessAnswerOf(const AccessOptions& options) {
 }  // namespace
 
 void addAccessCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("access", "Tell whether a part can be taken out, in which order, and who reaches and sees it");
+  Subcommand command = app.add("access", "Check whether a part can be taken out, in which order, and who reaches and sees it");
   const auto options = std::make_shared<AccessOptions>();
   command.option("workcell", options->workcell, "Workcell document (.hcell)").takes(ValueKind::kWorkcell).required();
   command.option("--part", options->part, "Name of the solid that is to be taken out").required();
@@ -161,7 +161,7 @@ void addAccessCommand(Subcommand app, Action& chosen) {
   command.option("--sex", options->sex, "Only women or only men").among({"female", "male"});
   command.option("--percentile", options->percentiles, "Percentiles of stature, such as 5,50,95")
       .separatedByCommas();
-  command.flag("--nobody", options->nobody, "Ask about the part alone, without persons");
+  command.flag("--nobody", options->nobody, "Evaluate the part alone, without persons");
   command.option("--glove", options->glove, "Room around the bare hand, m (default: 0.002)").within(0.0, 0.05);
   command.option("--tool", options->tool, "A straight tool between hand and part: LENGTH,DIAMETER in m")
       .separatedByCommas()
@@ -169,10 +169,10 @@ void addAccessCommand(Subcommand app, Action& chosen) {
   command.option("--mass", options->mass, "Mass of the part, kg (default: as in the cell)").within(0.0, 200.0);
   command.option("--tolerance", options->tolerance, "Overlap that counts as touching, m (default: 0.0001)")
       .within(0.0, kMostTolerance);
-  command.option("--shown", options->shown, "A recorded way of the part to check and use instead of searching one")
+  command.option("--shown", options->shown, "Recorded motion of the part, checked and used instead of a search")
       .takes(ValueKind::kMotion);
   command.option("--report", options->report, "Page to write: .pdf, .html or .csv").takes(ValueKind::kFile);
-  command.option("-o,--output", options->output, "Way of the part to write (.htraj or .csv)").takes(ValueKind::kMotion);
+  command.option("-o,--output", options->output, "Motion of the part to write (.htraj or .csv)").takes(ValueKind::kMotion);
   addAllowMiss(command, options->allow_miss);
   command.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {

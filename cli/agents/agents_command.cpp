@@ -154,7 +154,7 @@ void addAgentsCommand(Subcommand app, Action& chosen) {
       .takes(ValueKind::kToml)
       .required();
   command.option("--runs", options->runs, "Seeded runs of each mode (default: 1)").withinWhole(1, 100'000);
-  command.option("--seed", options->seed, "What starts, goals and the operator's mistakes depend on (default: 1)")
+  command.option("--seed", options->seed, "Seed for starts, goals and the operator's mistakes (default: 1)")
       .withinWhole(0, 2'000'000'000);
   command.option("--modes", options->modes, "operator, agents, both; several with commas (default: both)")
       .separatedByCommas();

@@ -213,10 +213,10 @@ void addPlanCommand(Subcommand app, Action& chosen) {
   command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
   command.flag("--out", options->out, "Goal: the solid out of the box around everything else");
   command.option("--through", options->through, "Poses that the motion passes, in this order").takes(ValueKind::kTable);
-  command.option("--clearance", options->clearance, "Metres that the motion keeps from the cell (default: 0.005)")
+  command.option("--clearance", options->clearance, "Clearance that the motion keeps from the cell, m (default: 0.005)")
       .within(0.0, 10.0);
   command.option("--seed", options->seed, "Equal seeds give equal motions (default: 1)").withinWhole(0, 2'000'000'000);
-  command.option("--time", options->time, "Seconds after which the search is given up (default: 10)")
+  command.option("--time", options->time, "Time limit of the search, s (default: 10)")
       .within(0.0, 86'400.0);
   command.option("--jobs", options->jobs, "Threads; the motion does not depend on it (default: one a core)")
       .withinWhole(0, 4096);

@@ -168,7 +168,7 @@ void addRos2Command(Subcommand app, Action& chosen) {
       .takes(ValueKind::kWorkcell);
   listen.option("--entity", in->entity, "That robot");
   listen.flag("--objects", in->objects, "Take the collision objects of /planning_scene and /collision_object");
-  listen.option("--mirror", in->mirror, "Workcell to write with what was heard").takes(ValueKind::kWorkcell);
+  listen.option("--mirror", in->mirror, "Workcell to write with the received joints and objects").takes(ValueKind::kWorkcell);
   listen.option("--joint-topic", in->joint_topic, "Topic of the joint states (/joint_states)");
   listen.option("--trajectory-topic", in->trajectory_topic, "Topic of the motion (/joint_trajectory)");
   addRosOptions(listen, in->ros, "How long to listen, s (10)");

@@ -220,7 +220,7 @@ void addExport(Subcommand study, Action& chosen) {
 }
 
 void addOpen(Subcommand study, Action& chosen) {
-  Subcommand command = study.add("open", "Write the cell of one variant as it stood, after evaluating it again");
+  Subcommand command = study.add("open", "Evaluate one variant again, compare it with its row, and write its cell");
   const auto options = std::make_shared<StudyOptions>();
   command.option("results", options->results, "Results file").takes(ValueKind::kStudyResults).required();
   command.option("--variant", options->variant, "Number of the variant").withinWhole(0, 2'000'000'000).required();

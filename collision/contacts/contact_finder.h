@@ -39,7 +39,7 @@ class ContactFinder {
   };
   explicit ContactFinder(Ways ways = Ways::kBest) : ways_(ways) {}
 
-  /// Costs what is near; of the environment's other parts only their spheres are looked at.
+  /// The cost depends on the parts that are near; of all others only the bounding spheres are tested.
   ZoneContacts find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                     const ZoneOptions& options);
 

@@ -25,7 +25,7 @@ class FacetQuery {
   enum class Detail : std::uint8_t {
     kTurning,  ///< Includes contacts that turning could cause; coarser tolerances are tried before giving up.
     kCrowded,  ///< Ignores turning when groups that others imply are removed.
-    kAny,      ///< The first, else the second.
+    kAny,      ///< kTurning; if it finds no set, kCrowded.
   };
 
   /// `options.pair_mask` may be replaced later by setMask(); `options.max_entries` is ignored.

@@ -8,7 +8,7 @@
 namespace hapticell::collision {
 
 /// m: surfaces nearer than this touch: distance 0, colliding. Ten thousand times the rounding at 1 m, a thousandth of
-/// kLeastClearance. Half and twice are between these as well.
+/// kLeastClearance. Half and twice: still between these two.
 inline constexpr double kTouchingDistance = 1e-9;
 
 /// Minimum distance of two colliders A and B, with the equation |p_WA - p_WB| = distance, and

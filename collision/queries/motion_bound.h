@@ -10,11 +10,11 @@ namespace hapticell::collision {
 /// p_BS: the shift of S plus the chord of the turn at that radius. The order of the poses does not matter.
 double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius);
 
-/// Of that the turn's part alone, m: the chord of the turn at the radius.
+/// Only the rotation's part of that bound, m: the chord of the rotation at the radius.
 double turnBound(const Pose& X_WB0, const Pose& X_WB1, double radius);
 
-/// The body of a pair A and B by whose sphere their motion against each other is bounded: the smaller one, so that a
-/// turn of a small part in a large one counts at the small one's radius.
+/// The body of a pair whose sphere bounds the relative motion. The smaller body is taken, so that a rotation of a small
+/// part inside a large one counts with the small radius.
 struct MotionLever {
   dvec3 p{0.0};         ///< The sphere's centre, in that body's frame,
   double radius = 0.0;  ///< and radius, m.

@@ -9,7 +9,7 @@
 namespace hapticell::collision {
 
 /// Tolerance (m) for comparing distances: 1e5 times the rounding at 1 m, and 1000 steps a second add up to 1e-8 m. Half
-/// and twice stand as far from both.
+/// and twice: still far from both.
 inline constexpr double kRounding = 1e-11;
 /// Accuracy of the stop, as motion (m): a tenth of kLeastClearance. Half: one query more a stop; twice: one less.
 inline constexpr double kStopAccuracy = 1e-7;

@@ -45,8 +45,8 @@ class ProximityQuery {
   bool within(const Pose& X_WA, const Pose& X_WB, double margin);
 
   /// Whether the surfaces may come as near as `margin` (m) while A moves by any share from -1 to 1 of `sweep_W` (m)
-  /// from here, and B not. False is proven; true may be said where they only come as near as the margin and the sweep's
-  /// length together. Says nothing of one inside the other.
+  /// from here, and B not. False is proven. True is also returned where they may only come within the margin plus the
+  /// sweep's length. Does not detect that one is inside the other.
   bool mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sweep_W, double margin,
                int effort = std::numeric_limits<int>::max());
 

@@ -47,12 +47,13 @@ struct SceneStop {
 
 /// Parts placed in the world and the pairs of them that are checked: moved against environment, link against link.
 ///
-/// A tree of the parts' boxes finds what is near, so a query costs what is near, not what is there; pairs of sets that
-/// never come near cost nothing at all. Every pair that came near keeps its warm query, and how far apart it was: less
-/// the ways that its parts have gone since, that answers most queries of small steps. Queries that look for one pair
-/// share one upper bound. Belongs to one thread, which may edit it between two queries; another thread builds colliders
-/// and hands them over. Warm queries do not allocate, except to append to the caller's vectors; a pair that comes near
-/// for the first time does. Pairs that are disabled, or whose part is removed, are skipped.
+/// A tree of the parts' boxes finds what is near, so the cost of a query depends on the parts that are near, not on the
+/// number of parts. Pairs of sets that never come near cost nothing. Every pair that came near keeps its warm query and
+/// its last distance. That distance minus the path lengths of its parts since then is a lower bound, which answers most
+/// queries after small steps. Queries that look for one pair share one upper bound. Belongs to one thread, which may
+/// edit it between two queries; another thread builds colliders and hands them over. Warm queries do not allocate,
+/// except to append to the caller's vectors; a pair that comes near for the first time does. Pairs that are disabled,
+/// or whose part is removed, are skipped.
 class Scene {
  public:
   /// Adds a part at X_WP; an empty mesh is allowed. Indices of removed parts are used again.
@@ -68,8 +69,9 @@ class Scene {
   /// Adds a pair that is checked; the caller chooses `tag` (for example the number of its pair set). A part is never
   /// paired with itself, and two parts are one pair at most, either way round: added again it gets the new tag.
   PairIndex addPair(PartIndex moved, PartIndex environment, std::uint32_t tag = 0);
-  /// Each of the first is checked against each of the others but itself: in memory and time as if only those that are
-  /// near were. Such a pair gets its index when it first comes near. 64 sets at most; of several the later tag counts.
+  /// Checks each part of the first list against each part of the second, never against itself. Memory and time depend
+  /// only on the pairs that are near. Such a pair gets its index when it first comes near. 64 sets at most; of several
+  /// the later tag counts.
   void addPairs(std::span<const PartIndex> moved, std::span<const PartIndex> environment, std::uint32_t tag = 0);
   void clearPairs();
   /// Pairs that have an index: 0 to pairCount() - 1.
@@ -103,7 +105,7 @@ class Scene {
   /// A pair that does not surely keep its clearance everywhere on this motion; empty: all of them do, both ends
   /// included. `clearance` (m) is by the tag of the pair, one for each tag that is used. Proven by halving: pairs that
   /// keep it by less than a tenth of it (at least 0.1 mm) may be found too; with a clearance of 0 only those that
-  /// advance() would stop. Parts that do not move (path_bound 0) are looked at if `standing`. The poses of the scene
+  /// advance() would stop. Parts that do not move (path_bound 0) are checked only if `standing`. The poses of the scene
   /// are not changed. A part is listed once.
   std::optional<PairIndex> findNearer(std::span<const MovedPart> moved, std::span<const double> clearance,
                                       bool standing);
@@ -112,14 +114,14 @@ class Scene {
   struct Part {
     PlacedBounds at;         ///< See boundsOf().
     bool has_moved = false;  ///< `at` is of an earlier pose.
-    double travelled = 0.0;  ///< m: no point of it has gone a longer way since it was added.
-    double asked_at = 0.0;   ///< Its way when collides() last looked around it,
-    double look = 0.0;       ///< and how far (m) it looked.
-    /// Nothing that it is checked against is nearer than this less its way and that of all that is sought (m).
+    double travelled = 0.0;  ///< m: upper bound of the path length of its points since it was added.
+    double asked_at = 0.0;   ///< Its path length when collides() last searched around it,
+    double look = 0.0;       ///< and the search radius (m).
+    /// No checked partner is nearer than this value (m) minus the path lengths of this part and of the sought parts.
     double quiet_until = -std::numeric_limits<double>::infinity();
-    double clear = 0.0;          ///< In the round it was looked around: nothing was nearer than this.
+    double clear = 0.0;          ///< Search radius of the last round that searched around it: nothing was nearer (m).
     std::uint32_t asked_in = 0;  ///< That round.
-    double way_of_round = 0.0;   ///< Its way between two queries.
+    double way_of_round = 0.0;   ///< Its path length between two queries.
     std::uint32_t round = 0;
     bool empty = true;  ///< No triangle, or removed.
     Pose X_WP;
@@ -149,7 +151,8 @@ class Scene {
     double rest = 0.0;
     bool is_known = false;
   };
-  /// Of so many stretches middle and spread are kept. Instead of a middle 0 has the end, asked for as kEndNode.
+  /// Middle and spread are kept for this many stretches. Entry 0 holds the end of the motion (kEndNode) instead of a
+  /// middle.
   static constexpr std::size_t kStations = 16;
   static constexpr std::size_t kEndNode = ~std::size_t{0};
   /// A part of advance().
@@ -164,14 +167,14 @@ class Scene {
   /// One of a pair in advance().
   struct Mover {
     PartIndex part = 0;
-    Swept* swept = nullptr;  ///< Null: it stands.
+    Swept* swept = nullptr;  ///< Null: it does not move.
     PartMotion standing{};
     const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
   };
 
   static geometry::Bounds sweptBox(const Swept& swept);
 
-  /// Where the part is now: placed when it is asked for, as most parts that move are not.
+  /// Where the part is now. It is placed only when asked for, because most moving parts are never needed.
   const PlacedBounds& boundsOf(PartIndex index) {
     Part& part = parts_[index];
     if (part.has_moved) part.at = placedBounds(*part.collider, part.X_WP);
@@ -183,7 +186,7 @@ class Scene {
   void forgetQuiet(PartIndex part) { parts_[part].quiet_until = -std::numeric_limits<double>::infinity(); }
   void beginQuery();
   double way(const ScenePairs::Pair& pair) const;
-  /// The two are so far apart (m) here. A little less: a search prunes in float.
+  /// Distance of the two (m) here, or slightly less, because the search prunes in float.
   void certify(ScenePairs::Pair& pair, double distance) const {
     pair.apart_until = (1.0 - 1e-6) * distance - kTouchingDistance + way(pair);
   }
@@ -213,7 +216,7 @@ class Scene {
   std::vector<PartIndex> unused_;
   ScenePairs pairs_;
   PartTree tree_;            ///< Of the parts that are sought.
-  double sought_way_ = 0.0;  ///< m: none of them has gone a longer way, by the way of each round.
+  double sought_way_ = 0.0;  ///< m: upper bound of their path lengths, summed over the rounds.
   double sought_way_of_round_ = 0.0, sought_step_ = 0.0;  ///< Of the present round, and of the last.
   std::uint32_t round_ = 0;                               ///< Queries until now.
   std::uint32_t pass_ = 0;                                ///< Searches until now, for Pair::seen.
@@ -227,7 +230,7 @@ class Scene {
   };
   std::vector<Suspect> suspects_;
   std::vector<Swept> swept_;
-  std::vector<std::uint32_t> swept_of_;  ///< Of each part: one more than its index in swept_; 0: it stands.
+  std::vector<std::uint32_t> swept_of_;  ///< For each part: its index in swept_ plus one; 0: it does not move.
 };
 
 }  // namespace hapticell::collision

@@ -52,10 +52,10 @@ class ScenePairs {
     PartIndex environment = 0;
     std::uint32_t tag = 0;
     bool enabled = true;
-    std::uint32_t seen = 0;  ///< The query that has come by last: once each.
-    /// The two are farther apart than this less the sum of both parts' ways (m); see Scene.
+    std::uint32_t seen = 0;  ///< The last query that visited this pair, so that each is visited once.
+    /// Lower bound of the distance: this value minus the path lengths of both parts (m); see Scene.
     double apart_until = -std::numeric_limits<double>::infinity();
-    /// They are near: until this sum of ways nothing is gained by looking ahead.
+    /// They are near: up to this sum of path lengths (m) a wider search would not help.
     double near_until = -std::numeric_limits<double>::infinity();
     LazyQuery query{};
     std::uint32_t at_moved = 0, at_environment = 0;  ///< Places in the lists of its parts.
@@ -74,10 +74,11 @@ class ScenePairs {
   PairIndex find(PartIndex a, PartIndex b);
   void removePart(PartIndex part);
   void clear();
-  /// All that is known of how far apart its pairs are is of no use any more.
+  /// Makes all stored distances of its pairs invalid.
   void forgetDistances(PartIndex part);
 
-  /// Parts that look for others, and what they look for: of a pair the moved part seeks, of a set the smaller side.
+  /// Parts that search for others, and what they search for: in a pair the moved part searches, in a set the smaller
+  /// side.
   const std::vector<PartIndex>& seekers() const { return seekers_; }
   bool isSought(PartIndex part) const { return part < roles_.size() && roles_[part].sought; }
   bool isSeeker(PartIndex part) const { return part < roles_.size() && roles_[part].seeks; }

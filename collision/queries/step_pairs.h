@@ -37,13 +37,13 @@ class StepPairs {
   /// Smallest distances first.
   std::span<const Pair> pairs() const { return pairs_; }
 
-  /// A search begins where the query came to: how far (m) beyond the nearest it should collect; 0: not at all.
+  /// Called when a search begins: how far (m) beyond the nearest pair it should collect; 0: collect nothing.
   double begin();
   /// False where there are too many.
   bool add(const TriangleIndices& pair, float least);
   /// The search has ended: every pair nearer than `radius` (m) was added.
   void finish(double radius);
-  /// It had to end before, or there were too many.
+  /// The search ended early, or there were too many pairs: the list is invalid.
   void giveUp();
 
  private:

@@ -10,16 +10,16 @@
 
 namespace hapticell::collision {
 
-/// A straight motion of A against B, to both sides of where they are, and how near they are looked for.
+/// A straight motion of A against B, forward and backward from the present poses, and the distance of interest.
 struct Sweep {
   dvec3 d_A{0.0};                                ///< A moves by any share from -1 to 1 of it, m, in A's frame.
   double margin = 0.0;                           ///< m.
   int effort = std::numeric_limits<int>::max();  ///< Boxes that are opened at most; then they may meet.
 };
 
-/// The search for triangles of two meshes that may come nearer than a margin during a sweep, all in A's frame: long
-/// motions take room along themselves only, not to their sides. A visitor of DualTraversal. One object per query, on
-/// the stack; does not allocate.
+/// The search for triangles of two meshes that may come nearer than a margin during a sweep, all in A's frame: the
+/// searched space of a long motion grows along the motion only, not to its sides. A visitor of DualTraversal. One
+/// object per query, on the stack; does not allocate.
 class SweepSearch {
  public:
   SweepSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const Sweep& sweep);

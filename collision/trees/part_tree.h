@@ -11,17 +11,17 @@
 
 namespace hapticell::collision {
 
-/// A tree of the parts' axis-aligned boxes that is kept up to date while parts come, go and move: which parts may be
-/// near a box costs what is near it, not what is there.
+/// A tree of the parts' axis-aligned boxes that is updated while parts are added, removed and moved. The cost of a
+/// query depends on the number of parts near the box, not on the number of all parts.
 ///
 /// A tree of 16 children a node, after Guttman, "R-trees: a dynamic index structure for spatial searching" (1984), with
 /// the splits of Beckmann et al., "The R*-tree" (1990). Parts are the caller's numbers, from 0 on. Boxes are kept a
 /// little larger than given, so that small moves change nothing. One thread. Queries do not allocate.
 class PartTree {
  public:
-  /// Puts in the part with its box (world, metres, not empty, finite), or moves it there.
+  /// Adds the part with its box (world, metres, not empty, finite), or updates its box.
   void place(std::uint32_t part, const geometry::Bounds& box_W);
-  /// Takes the part out; nothing happens where it is not in the tree.
+  /// Removes the part; does nothing if it is not in the tree.
   void remove(std::uint32_t part);
   bool contains(std::uint32_t part) const { return part < where_.size() && where_[part].node != kNone; }
   std::size_t size() const { return size_; }
@@ -54,7 +54,7 @@ class PartTree {
   static constexpr int kWidth = kPartLanes;
   /// Children of a node after a split: at least. Half: longer boxes; twice is impossible.
   static constexpr int kLeastSplit = 6;
-  /// Parts of a leaf below which it is given up and they are inserted again. Half: leaves with a part or two; twice: at
+  /// A leaf with fewer parts is dissolved and its parts are inserted again. Half: leaves with a part or two; twice: at
   /// every other removal.
   static constexpr int kLeastLeaf = 3;
   /// Nodes that wait in a query: 15 a level, and 17 levels of 6 hold more than there are numbers.
@@ -72,7 +72,7 @@ class PartTree {
     std::uint32_t node = kNone;
     std::uint32_t lane = 0;
   };
-  /// A child on its way: its box and number.
+  /// A child that is being inserted: its box and number.
   struct Entry {
     float min[3], max[3];
     std::uint32_t child;

@@ -100,7 +100,7 @@ HAPTICELL_INLINE float absolute(float x) {
   return x < 0.0f ? -x : x;
 }
 
-/// What is free beside a sweep, square to it: there the sweep takes no room.
+/// The gap perpendicular to a sweep: in that direction the sweep adds nothing.
 template <typename V>
 HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
                                const float* sweep, V doubt) {

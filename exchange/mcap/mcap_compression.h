@@ -13,7 +13,7 @@ namespace hapticell::exchange {
 /// The name that a chunk gives: "", "lz4", "zstd".
 std::string_view nameOf(McapCompression compression);
 
-/// Packs bytes as an lz4 or zstd frame, or leaves them. Never fails for lack of anything but memory.
+/// Packs bytes as an lz4 or zstd frame, or leaves them. Fails only if memory runs out.
 std::string packed(McapCompression compression, std::string_view bytes);
 
 /// Unpacks what a chunk of that compression name holds, of exactly `size` bytes. Errors (without a file): an unknown

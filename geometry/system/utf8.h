@@ -18,7 +18,7 @@ struct Utf8Character {
 /// @pre at < text.size()
 Utf8Character characterAt(std::string_view text, std::size_t at);
 
-/// True for a byte that goes on with a character, and begins none.
+/// True for a byte that continues a character and begins none.
 constexpr bool continuesCharacter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }

@@ -25,8 +25,8 @@ struct Column {
   std::string unit;  ///< "m", "s", "deg"; empty: none.
 };
 
-/// One thing that is asked of every variant: a table [[ask]] of the document. Immutable; any thread. The same cell gives
-/// the same bits, whatever was asked before.
+/// A question that is answered for every variant: a table [[ask]] of the document. Immutable; any thread. The same cell
+/// gives the same bits, whatever was asked before.
 class Question {
  public:
   explicit Question(std::string name) : name_(std::move(name)) {}

@@ -21,7 +21,7 @@ class Variation {
   const ValueRange& range() const { return range_; }
   /// Unit of its numbers: "m", "deg"; empty for words.
   virtual std::string unit() const { return {}; }
-  /// It puts another shape in the place of one of the cell: done before the others, which move what stands there then.
+  /// True if it replaces a shape of the cell. Such variations are applied first, so that the others move the new shape.
   virtual bool changesShape() const { return false; }
   /// Changes the cell of a variant. Errors say why the cell cannot be so.
   virtual Expected<void> apply(const Value& value, VariantCell& cell) const = 0;
