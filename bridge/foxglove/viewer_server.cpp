@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/foxglove/viewer_server.h"
 
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -21,6 +25,21 @@ bool isThisMachine(const std::string& host) {
   error_code failed;
   const auto address = asio::ip::make_address(host, failed);
   return !failed && address.is_loopback();
+}
+
+std::vector<std::string> addressesForOthers() {
+  std::vector<std::string> found;
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return found;
+  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> owner(list, &::freeifaddrs);
+  for (const ifaddrs* one = list; one; one = one->ifa_next) {
+    if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET) continue;
+    if ((one->ifa_flags & IFF_UP) == 0 || (one->ifa_flags & IFF_LOOPBACK) != 0) continue;
+    char text[INET_ADDRSTRLEN] = {};
+    ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr, text, sizeof text);
+    found.emplace_back(text);
+  }
+  return found;
 }
 
 /// Everything but the counters belongs to the network thread.

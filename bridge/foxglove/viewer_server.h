@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "geometry/system/error.h"
 
@@ -29,6 +30,8 @@ struct ViewerAddress {
 
 /// Is it an address that only programs of this machine reach: 127.0.0.0/8 or ::1? False for what is no IP address.
 bool isThisMachine(const std::string& host);
+/// IPv4 addresses at which other machines may reach this one; empty without a network.
+std::vector<std::string> addressesForOthers();
 
 /// Serves messages to viewers over WebSocket (foxglove.websocket.v1), in a thread of its own. Viewers only watch: what
 /// they send beyond subscriptions is ignored.
