@@ -45,7 +45,7 @@ void LivePanel::addChoices(QVBoxLayout& column) {
   start_->setObjectName("buttonLive");
   column.addWidget(start_);
   line_ = makeLive(3, TextRole::kSecond, true);
-  line_->setObjectName("labelLive");
+  line_->setObjectName("labelLiveView");
   column.addWidget(line_);
   connect(start_, &QPushButton::clicked, this, &LivePanel::toggle);
 }
@@ -84,9 +84,12 @@ void LivePanel::show() {
   address_->setPlainText(feed_.addresses());
   if (!problem_.isEmpty()) return line_->setText(problem_);
   if (!is_on) return line_->setText(tr("Off. Nobody can watch."));
-  line_->setText(feed_.viewers() == 0 ? tr("On. In Foxglove or Lichtblick, choose Open connection, Foxglove WebSocket, and "
-                                           "enter the address below.")
-                                      : tr("On. %n viewer(s) watching.", nullptr, feed_.viewers()));
+  if (feed_.viewers() == 0) {
+    line_->setText(tr("On. In Foxglove or Lichtblick, choose Open connection, Foxglove WebSocket, and enter the address "
+                      "below."));
+  } else {
+    line_->setText(tr("On. Viewers watching: %1").arg(feed_.viewers()));
+  }
 }
 
 }  // namespace hapticell::app

@@ -149,6 +149,7 @@ void ViewerSession::open() {
     response.set(http::field::sec_websocket_protocol, beast::string_view(kProtocol.data(), kProtocol.size()));
   }));
   socket_.read_message_max(kMostMessage);
+  socket_.auto_fragment(false);  // Messages arrive whole.
   socket_.async_accept(request_.get(), [self = shared_from_this()](error_code failed) {
     if (failed) return self->close();
     self->is_open_ = true;
