@@ -18,6 +18,7 @@
 #include "cli/ergonomics/ergonomics_commands.h"
 #include "cli/files/file_commands.h"
 #include "cli/grammar.h"
+#include "cli/live/live_command.h"
 #include "cli/mannequin/mannequin_command.h"
 #include "cli/plan/plan_command.h"
 #include "cli/robot/robot_commands.h"
@@ -77,6 +78,7 @@ CommandLine::CommandLine() {
   addPlanCommand(words, chosen);
   addWorkcellCommand(words, chosen);
   addRecordCommand(words, chosen);
+  addLiveCommand(words, chosen);
   addRos2Command(words, chosen);
   addSessionCommand(words, chosen);
   addStudyCommand(words, chosen);

@@ -10,6 +10,7 @@
 #include "agents/runner/agent_runs.h"
 #include "cli/agents/run_report.h"
 #include "cli/kit/kept_result.h"
+#include "cli/kit/stop_signal.h"
 #include "cli/study/study_progress.h"
 #include "manipulation/checks/path_check.h"
 #include "trajectory/files/trajectory_io.h"

@@ -96,6 +96,7 @@ template Option Subcommand::option(const std::string&, int&, const std::string&)
 template Option Subcommand::option(const std::string&, std::size_t&, const std::string&);
 template Option Subcommand::option(const std::string&, std::string&, const std::string&);
 template Option Subcommand::option(const std::string&, std::optional<double>&, const std::string&);
+template Option Subcommand::option(const std::string&, std::optional<int>&, const std::string&);
 template Option Subcommand::option(const std::string&, std::optional<std::string>&, const std::string&);
 template Option Subcommand::option(const std::string&, std::vector<double>&, const std::string&);
 template Option Subcommand::option(const std::string&, std::vector<std::string>&, const std::string&);

@@ -11,6 +11,7 @@
 
 #include "cli/kit/command_listener.h"
 #include "cli/kit/server_address.h"
+#include "cli/live/live_options.h"
 #include "cli/session/session_commands.h"
 #include "cli/session/session_plan.h"
 #include "cli/session/session_recording.h"
@@ -41,6 +42,7 @@ struct SessionWords {
   std::vector<std::string> set;
   bool realtime = false, fail_on_contact = false, fail_on_limit = false;
   std::string server;
+  std::optional<int> live;
   std::string trace, mcap;
   std::string configuration;
   std::string record;
@@ -204,7 +206,9 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   if (!words.server.empty() && !words.realtime) {
     return failed({"", "--server", "it has no effect in virtual time", "--realtime with it", ""});
   }
-  const auto options = readOptions(words);
+  if (words.live && !words.realtime)
+    return failed({"", "--live", "a session in virtual time is over before anybody can watch it", "--realtime with it", ""});
+  auto options = readOptions(words);
   if (!options) return failed(options.error());
   std::string rows = kTraceHeader;
   manipulation::TraceSink trace;
@@ -215,6 +219,14 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
       if (!words.trace.empty()) appendRow(rows, row);
       if (!words.mcap.empty()) recording.stylus.push_back(stylusSampleOf(row));
     };
+  }
+  std::optional<LiveView> live;
+  if (words.live) {
+    auto opened = LiveView::open({.port = *words.live});
+    if (!opened) return failed(opened.error());
+    live = std::move(*opened);
+    live->show(*options);
+    options->picture = [&](const manipulation::SceneSnapshot& picture) { live->update(picture); };
   }
   const auto session = runAsAsked(words, *options, trace);
   if (!session) return failed(session.error());
@@ -253,6 +265,8 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   command.option("--set", words->set, "KEY=VALUE; can be repeated").oneAtATime();
   command.flag("--realtime", words->realtime, "Run in real time over TCP, with an own server or that of --server");
   command.option("--server", words->server, "HOST:PORT of a running haptic server with a simulated device");
+  command.option("--live", words->live, "Port for viewers that watch live, 0 for any that is free (--realtime only)")
+      .withinWhole(0, 65535);
   command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones")
       .takes(ValueKind::kToml);
   command.option("--trace,-o,--output", words->trace, "CSV to write, one row per tick").takes(ValueKind::kTable);

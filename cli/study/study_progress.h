@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "cli/kit/command_listener.h"
 #include "studies/runner/study_run.h"
 
 namespace hapticell::cli {

@@ -108,6 +108,7 @@ class WatchedEngine {
 
   void showPicture(double t) {
     engine_.fillSnapshot(snapshot_);
+    if (options_.picture) options_.picture(snapshot_);
     ++pictures_;
     if (t > measured_) measurePenetration(t);
   }

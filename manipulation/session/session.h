@@ -13,6 +13,7 @@
 #include "haptic/devices/hand_path.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/engine/manipulation_command.h"
+#include "manipulation/engine/scene_snapshot.h"
 #include "manipulation/session/contact_tracker.h"
 #include "manipulation/session/exercise.h"
 #include "manipulation/session/joint_meter.h"
@@ -70,6 +71,8 @@ struct SessionOptions {
   /// Virtual time only: this hand instead of the path `hand`, which then says only where the stylus begins and how long
   /// the session lasts at most; it ends half a second after the goal of `assistance` is reached.
   std::optional<StraightHandOptions> straight_hand;
+  /// Gets each picture (`rate_gui_hz`) in the session's thread; may be empty. What it throws ends the session.
+  std::function<void(const SceneSnapshot& picture)> picture;
 };
 
 /// One tick of the force loop, for --trace.
