@@ -2507,6 +2507,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>12 nombres</translation>
     </message>
     <message>
+        <source>127.0.0.1, 0.0.0.0 or an address of this machine</source>
+        <translation>127.0.0.1, 0.0.0.0 ou une adresse de cette machine</translation>
+    </message>
+    <message>
         <source>1e-9 to 1000 m</source>
         <translation>de 1e-9 à 1000 m</translation>
     </message>
@@ -2889,6 +2893,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Address for viewers</source>
+        <translation>Adresse pour les spectateurs</translation>
     </message>
     <message>
         <source>Address of the haptic server</source>
@@ -3653,6 +3661,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose another folder.</source>
         <translation>Écrivez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>Choose another port, or end the program that uses it.</source>
+        <translation>Choisissez un autre port, ou arrêtez le programme qui l'utilise.</translation>
     </message>
     <message>
         <source>Choose another results file.</source>
@@ -6139,6 +6151,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Listes en parallèle</translation>
     </message>
     <message>
+        <source>Live view</source>
+        <translation>Vue en direct</translation>
+    </message>
+    <message>
+        <source>Live view in a browser</source>
+        <translation>Vue en direct dans un navigateur</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -7191,6 +7211,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrêt</translation>
     </message>
     <message>
+        <source>Off. Nobody can watch.</source>
+        <translation>Arrêtée. Personne ne peut regarder.</translation>
+    </message>
+    <message>
         <source>Off: the mannequin can step so that the hand reaches</source>
         <translation>Arrêt : le mannequin peut avancer pour que la main atteigne</translation>
     </message>
@@ -7221,6 +7245,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>On the other station, run hapticell-haptic-server --pair once to see the code, then hapticell-haptic-server --listen with its address.</source>
         <translation>Sur l'autre poste, lancez une fois hapticell-haptic-server --pair pour voir le code, puis hapticell-haptic-server --listen avec son adresse.</translation>
+    </message>
+    <message>
+        <source>On. In Foxglove or Lichtblick, choose Open connection, Foxglove WebSocket, and enter the address below.</source>
+        <translation>En marche. Dans Foxglove ou Lichtblick, choisissez Open connection, Foxglove WebSocket, et saisissez l'adresse ci-dessous.</translation>
+    </message>
+    <message>
+        <source>On. Viewers watching: %1</source>
+        <translation>En marche. Spectateurs : %1</translation>
     </message>
     <message>
         <source>One is attached to the other, so they move together</source>
@@ -7405,6 +7437,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Orthographic</source>
         <translation>Orthographique</translation>
+    </message>
+    <message>
+        <source>Others need the code at the end of the address. The connection is not encrypted: whoever can listen to the network can watch.</source>
+        <translation>Les autres ont besoin du code à la fin de l'adresse. La connexion n'est pas chiffrée : quiconque écoute le réseau peut regarder.</translation>
+    </message>
+    <message>
+        <source>Others too</source>
+        <translation>D'autres aussi</translation>
     </message>
     <message>
         <source>Out of balance by %1</source>
@@ -7953,6 +7993,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Port</source>
         <translation>Port</translation>
+    </message>
+    <message>
+        <source>Port for viewers. Default: 8765</source>
+        <translation>Port pour les spectateurs. Par défaut : 8765</translation>
     </message>
     <message>
         <source>Port of the server. Default: 4747</source>
@@ -10367,6 +10411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les contacts restent ainsi bien visibles. Pour changer : Réglages &gt; Apparence &gt; Pièces en pleines couleurs.</translation>
     </message>
     <message>
+        <source>This machine</source>
+        <translation>Cette machine</translation>
+    </message>
+    <message>
         <source>This motion and the one below it, one after the other</source>
         <translation>Ce mouvement et celui du dessous, l'un après l'autre</translation>
     </message>
@@ -10553,6 +10601,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Trainee</source>
         <translation>Apprenant</translation>
+    </message>
+    <message>
+        <source>Trainees watch the cell, the contacts and the force in a browser, with Foxglove or Lichtblick.</source>
+        <translation>Les stagiaires voient la cellule, les contacts et la force dans un navigateur, avec Foxglove ou Lichtblick.</translation>
     </message>
     <message>
         <source>Training</source>
@@ -11011,6 +11063,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pendant le glissement</translation>
     </message>
     <message>
+        <source>Who may watch</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
         <source>Whole</source>
         <translation>Entier</translation>
     </message>
@@ -11449,6 +11505,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a clearance that is not valid</source>
         <translation>une distance de passage non valable</translation>
+    </message>
+    <message>
+        <source>a code that viewers have to name</source>
+        <translation>un code que les spectateurs doivent donner</translation>
     </message>
     <message>
         <source>a colour out of range</source>
@@ -13191,6 +13251,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un chemin absolu</translation>
     </message>
     <message>
+        <source>an address of this machine and a free port</source>
+        <translation>une adresse de cette machine et un port libre</translation>
+    </message>
+    <message>
         <source>an address of this machine only (127.0.0.1 or ::1)</source>
         <translation>une adresse de cette seule machine (127.0.0.1 ou ::1)</translation>
     </message>
@@ -13201,6 +13265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an address that other machines can reach, so anybody could control the stylus</source>
         <translation>une adresse joignable par d'autres machines, où n'importe qui pourrait prendre le stylet</translation>
+    </message>
+    <message>
+        <source>an address that other machines reach, without a code</source>
+        <translation>une adresse accessible à d'autres machines, sans code</translation>
     </message>
     <message>
         <source>an angle above 0, at most 100 rad</source>
@@ -15771,6 +15839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de &lt;model&gt;</translation>
     </message>
     <message>
+        <source>no IP address</source>
+        <translation>pas une adresse IP</translation>
+    </message>
+    <message>
         <source>no PROC has moves</source>
         <translation>pas de PROC avec des mouvements</translation>
     </message>
@@ -16549,6 +16621,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>only zero-area triangles</source>
         <translation>seulement des triangles sans aire</translation>
+    </message>
+    <message>
+        <source>open %1 in Foxglove or Lichtblick ('Foxglove WebSocket')</source>
+        <translation>ouvrez %1 dans Foxglove ou Lichtblick (« Foxglove WebSocket »)</translation>
     </message>
     <message>
         <source>operator '%1' between lists</source>
@@ -17513,6 +17589,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the connection ended before the keys were checked</source>
         <translation>la connexion s'est terminée avant la comparaison des clés</translation>
+    </message>
+    <message>
+        <source>the connection is not encrypted: whoever can listen to this network can watch</source>
+        <translation>la connexion n'est pas chiffrée : quiconque écoute ce réseau peut regarder</translation>
     </message>
     <message>
         <source>the connection was interrupted</source>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/foxglove/scene_message.h"
 
-#include <openssl/evp.h>
-
 #include <nlohmann/json.hpp>
 
 #include "workcell/scenes/gltf_writer.h"
+#include "workcell/text/base64.h"
 
 namespace hapticell::bridge {
 
@@ -28,14 +27,6 @@ ordered_json poseOf(const Pose& pose) {
 
 ordered_json colorOf(double r, double g, double b) {
   return {{"r", r}, {"g", g}, {"b", b}, {"a", 1.0}};
-}
-
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                                     reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
 }
 
 std::string glbOf(std::span<const SceneShape> shapes) {
@@ -129,7 +120,7 @@ std::string modelMessage(const std::string& id, const std::string& frame, std::s
                                            {"override_color", false},
                                            {"url", ""},
                                            {"media_type", "model/gltf-binary"},
-                                           {"data", base64(glbOf(shapes))}}});
+                                           {"data", workcell::base64(glbOf(shapes))}}});
   return updateOf(std::move(entity));
 }
 

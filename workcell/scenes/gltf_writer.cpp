@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "workcell/scenes/scene_exchange.h"
+#include "workcell/text/base64.h"
 
 namespace hapticell::workcell {
 
@@ -25,21 +26,6 @@ double linear(float displayed) {
 template <typename T>
 void appendRaw(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      group = (group << 8) | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0u);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      text += k + j <= bytes.size() ? kLetters[(group >> (18 - 6 * j)) & 63] : '=';
-    }
-  }
-  return text;
 }
 
 class GltfBuilder {
