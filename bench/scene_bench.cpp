@@ -2,10 +2,11 @@
 // Whole cells: which parts are near, beside the peer's broad phase in the same process. Prints a table of
 // docs/dev/performance.md.
 //
-// usage: scene_bench [alone] [chain] [one] [cell]
+// usage: scene_bench [alone] [chain] [one] [cell] [moving]
 // alone: without the peer (for a profiler);
-// chain: 7 links x 80 parts; one: 1 part x 10 to 5000; cell: 7 links in cells of 50 and 5000 parts of one density.
-// Default: all. cell_bench opens and holds such cells.
+// chain: 7 links x 80 parts; one: 1 part x 10 to 5000; cell: 7 links in cells of 50 and 5000 parts of one density;
+// moving: what it costs that parts of a cell of 5000 move, come and go. Default: all. cell_bench opens and holds such
+// cells.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -324,6 +325,59 @@ void chainInCells() {
   }
 }
 
+/// Each call's time, us, by blocks of them, as the clock is no finer.
+template <typename Call>
+std::vector<double> timedInBlocks(std::size_t calls, const Call& call) {
+  constexpr std::size_t kBlock = 100;
+  std::vector<double> times = timed(calls / kBlock, [&](std::size_t block) {
+    for (std::size_t i = 0; i < kBlock; ++i) call(kBlock * block + i);
+  });
+  for (double& time : times) time /= double{kBlock};
+  return times;
+}
+
+/// 5000 parts that all are sought by one, and what it costs to keep the scene current.
+void movingParts() {
+  constexpr int kParts = 5000;
+  constexpr std::size_t kCalls = 20000;
+  std::mt19937 random(9);
+  const double side = 4.4 * std::cbrt(kParts / 50.0);
+  const Collider shape = collision::MeshCollider::build(cadPart(2000));
+  collision::Scene scene;
+  std::vector<collision::PartIndex> parts;
+  for (const Pose& X : scattered(random, kParts, side, 0.0)) parts.push_back(scene.addPart({1, 0}, shape, X));
+  const auto seeker = scene.addPart({0, 0}, shape);
+  const std::vector<collision::PartIndex> seekers{seeker};
+  scene.addPairs(seekers, parts);
+  const Poses anywhere = scattered(random, kParts, side, 0.0);
+  const std::string name = "a part of 5000";
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<dvec3> way;
+  for (int i = 0; i < kParts; ++i) way.push_back(glm::normalize(dvec3(unit(random), unit(random), unit(random))));
+  const auto partOf = [&](std::size_t i) { return parts[i % parts.size()]; };
+  for (const double step : {1e-3, 1e-2, 1e-1}) {
+    const auto times = timedInBlocks(kCalls, [&](std::size_t i) {
+      Pose X = scene.pose(partOf(i));
+      X.p += step * way[i % way.size()];
+      scene.setPose(partOf(i), X);
+    });
+    row(name, "moves by " + std::to_string(static_cast<int>(1e3 * step)) + " mm", times, {}, "");
+  }
+  std::size_t shift = 0;
+  const auto far_away = timedInBlocks(kCalls, [&](std::size_t i) {
+    if (i % parts.size() == 0) ++shift;
+    scene.setPose(partOf(i), anywhere[(i + 7 * shift) % anywhere.size()]);
+  });
+  row(name, "moves anywhere", far_away, {}, "");
+  const auto replaced = timedInBlocks(kCalls, [&](std::size_t i) {
+    const Pose X = scene.pose(partOf(i));
+    scene.removePart(partOf(i));
+    parts[i % parts.size()] = scene.addPart({1, 0}, shape, X);
+    scene.addPair(seeker, partOf(i));
+  });
+  row(name, "is removed, and one added", replaced, {}, "");
+}
+
 }  // namespace
 }  // namespace hapticell::bench
 
@@ -331,13 +385,14 @@ int main(int argc, char** argv) {
   using namespace hapticell::bench;
   std::vector<std::string> wanted(argv + 1, argv + argc);
   with_peer = std::erase(wanted, "alone") == 0;
-  if (wanted.empty()) wanted = {"chain", "one", "cell"};
+  if (wanted.empty()) wanted = {"chain", "one", "cell", "moving"};
   std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL, us | x median | |\n");
   std::printf("| --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& scene : wanted) {
     if (scene == "chain") chainAmongParts();
     if (scene == "one") onePart();
     if (scene == "cell") chainInCells();
+    if (scene == "moving") movingParts();
   }
   return 0;
 }

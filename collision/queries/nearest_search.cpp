@@ -27,15 +27,28 @@ NearestSearch::NearestSearch(const MeshCollider& a, const MeshCollider& b, const
   }
 }
 
-void NearestSearch::run(const TriangleIndices& warm, StepPairs* list) {
+void NearestSearch::begin(StepPairs* list) {
   list_ = list;
   slack_ = list == nullptr ? 0.0 : list->begin();
   if (slack_ == 0.0) list_ = nullptr;
-  if (list_ != nullptr && found_) {  // What was found before is a bound, but without the slack.
-    prune_squared_ = static_cast<float>(demand_.limit * demand_.limit);
-    pruneFrom(std::sqrt(best_.squared));
-  }
+  if (list_ == nullptr || !found_) return;
+  // What was found before is a bound, but without the slack.
+  prune_squared_ = static_cast<float>(demand_.limit * demand_.limit);
+  pruneFrom(std::sqrt(best_.squared));
+}
+
+void NearestSearch::run(const TriangleIndices& warm, StepPairs* list) {
+  begin(list);
   tryPair(warm);
+  search();
+}
+
+void NearestSearch::run(StepPairs* list) {
+  begin(list);
+  search();
+}
+
+void NearestSearch::search() {
   if (!done_) {
     DualTraversal<NearestSearch> traversal(a_.tree(), b_.tree(), X_AB_, *this);
     traversal.run();
@@ -144,7 +157,7 @@ void NearestSearch::flush() {
   if (packed_ == 0) return;
   const int count = packed_;
   packed_ = 0;
-  proximityKernels().packedDistances(pack_, distances_);
+  proximityKernels().packedDistances(pack_, count, distances_);
   if (list_ != nullptr) collect(count);
   const auto mayImprove = [&](int lane) {
     return distances_.squared[lane] - distances_.doubt[lane] < static_cast<float>(best_.squared);

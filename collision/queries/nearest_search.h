@@ -29,10 +29,10 @@ class NearestSearch {
 
   /// Measures the listed pairs only: the answer is exact if it is not farther than the list reaches.
   void runListed(const StepPairs& list);
-  /// Measures the pair `warm`, which is probably near, then searches the trees.
-  void run(const TriangleIndices& warm) { run(warm, nullptr); }
-  /// The same, and lists what it passes close by; `list` may be null.
-  void run(const TriangleIndices& warm, StepPairs* list);
+  /// Searches the trees; where a list is given, lists what it passes close by.
+  void run(StepPairs* list = nullptr);
+  /// The same, but measures the pair `warm` first, which is probably near.
+  void run(const TriangleIndices& warm, StepPairs* list = nullptr);
 
   bool isFound() const { return found_; }
   const NearestPair& best() const { return best_; }
@@ -52,6 +52,8 @@ class NearestSearch {
   void flush();
 
  private:
+  void begin(StepPairs* list);
+  void search();
   void pruneFrom(double distance);
   void tryTies(std::uint32_t lanes);
   void tryExactly(const TriangleIndices* tried, int count);

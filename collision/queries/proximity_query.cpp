@@ -51,10 +51,14 @@ DistanceResult resultOf(const NearestSearch& search, const Pose& X_WA) {
 /// A point of a piece of `inner` that lies inside `outer`'s solid, in inner's frame; false if there is no such point.
 bool pieceInside(const MeshCollider& inner, const MeshCollider& outer, const Pose& X_OuterInner, dvec3& p_Inner) {
   if (!outer.shells().anyClosed()) return false;
-  const geometry::Bounds& box = outer.shells().closedBounds();
-  const geometry::Bounds inner_box = geometry::transformed(X_OuterInner, inner.bounds());
-  if (glm::any(glm::greaterThan(inner_box.min, box.max)) || glm::any(glm::lessThan(inner_box.max, box.min)))
-    return false;
+  // Points up to which each for itself is compared with the box: as many as a box takes. Half or twice as well.
+  constexpr std::size_t kFewPoints = 4;
+  if (inner.shells().points().size() > kFewPoints) {
+    const geometry::Bounds& box = outer.shells().closedBounds();
+    const geometry::Bounds inner_box = geometry::transformed(X_OuterInner, inner.bounds());
+    if (glm::any(glm::greaterThan(inner_box.min, box.max)) || glm::any(glm::lessThan(inner_box.max, box.min)))
+      return false;
+  }
   for (const dvec3& point : inner.shells().points()) {
     if (!outer.contains(X_OuterInner * point)) continue;
     p_Inner = point;
@@ -197,8 +201,11 @@ bool ProximityQuery::within(const Pose& X_WA, const Pose& X_WB, double margin) {
   NearestSearch search(*a_, *b_, X_AB, demand);
   if (steps_.reachAt(X_AB) >= demand.limit)
     search.runListed(steps_);
-  else
+  else if (last_was_near_)
     search.run(last_);
+  else
+    search.run();
+  last_was_near_ = search.isFound();
   if (search.isFound()) {
     last_ = search.pair();
     return true;
@@ -210,7 +217,7 @@ bool ProximityQuery::mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sw
   if (a_->isEmpty() || b_->isEmpty()) return false;
   const Pose X_AB = X_WA.inverse() * X_WB;
   SweepSearch search(*a_, *b_, X_AB, {X_WA.inverse().rotate(sweep_W), margin, effort});
-  return search.run(last_);
+  return search.run(last_, last_was_near_);
 }
 
 DistanceResult distance(const std::shared_ptr<const MeshCollider>& a, const Pose& X_WA,

@@ -68,6 +68,7 @@ class ProximityQuery {
   std::shared_ptr<const MeshCollider> b_;
   MotionLever lever_;
   TriangleIndices last_;
+  bool last_was_near_ = true;  ///< The last search for something near found `last_`.
   NearPairs near_;
   StepPairs steps_;
   // Surfaces this far apart at that pose cannot have crossed after less motion, so containment has not changed.

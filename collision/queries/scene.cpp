@@ -43,11 +43,15 @@ PartIndex Scene::addPart(const PartKey& key, std::shared_ptr<const MeshCollider>
   part.X_WP = X_WP;
   part.at = placedBounds(*collider, X_WP);
   part.empty = collider->isEmpty();
+  std::weak_ptr<InnerBallsOnDemand>& balls = balls_[collider.get()];
+  part.balls = balls.lock();
+  if (part.balls == nullptr) balls = part.balls = std::make_shared<InnerBallsOnDemand>();
   part.collider = std::move(collider);
   return index;
 }
 
 void Scene::removePart(PartIndex part) {
+  if (parts_[part].balls.use_count() == 1) balls_.erase(parts_[part].collider.get());
   parts_[part] = {};
   tree_.remove(part);
   pairs_.removePart(part);
@@ -270,14 +274,19 @@ void Scene::lookAround(PartIndex seeker) {
   tree_.visitNear(boundsOf(seeker).box_W(), part.look, [&](PartIndex other) { suspect(seeker, other); });
 }
 
+/// How far apart they are by what is known, or else by their boxes.
+double Scene::boxesApart(ScenePairs::Pair& pair) {
+  const double way_of_pair = way(pair), known = pair.apart_until - way_of_pair;
+  if (known > kTouchingDistance) return known;
+  const double apart = boxGap(boundsOf(pair.moved), boundsOf(pair.environment));
+  pair.apart_until = std::max(pair.apart_until, apart + way_of_pair);
+  return apart;
+}
+
 bool Scene::collide(ScenePairs::Pair& pair, Part& seeker) {
   const Part &a = parts_[pair.moved], &b = parts_[pair.environment];
   const double way_of_pair = way(pair);
-  double apart = pair.apart_until - way_of_pair;
-  if (apart <= kTouchingDistance) {
-    apart = boxGap(boundsOf(pair.moved), boundsOf(pair.environment));
-    pair.apart_until = std::max(pair.apart_until, apart + way_of_pair);
-  }
+  double apart = boxesApart(pair);
   ProximityQuery* query = apart <= kTouchingDistance ? &queryOf(pair) : nullptr;
   if (query != nullptr && seeker.look > kTouchingDistance && way_of_pair >= pair.near_until) {
     if (query->within(a.X_WP, b.X_WP, seeker.look)) {
@@ -289,6 +298,15 @@ bool Scene::collide(ScenePairs::Pair& pair, Part& seeker) {
   }
   seeker.clear = std::min(seeker.clear, std::max(0.0, apart));
   return query != nullptr && apart <= kTouchingDistance && query->collides(a.X_WP, b.X_WP);
+}
+
+/// Whether the pair surely collides; a look that is much shorter than a search.
+bool Scene::ballsMeet(ScenePairs::Pair& pair) {
+  if (boxesApart(pair) > kTouchingDistance) return false;
+  const Part &a = parts_[pair.moved], &b = parts_[pair.environment];
+  const InnerBalls* of_a = a.balls->get(*a.collider);
+  const InnerBalls* of_b = b.balls->get(*b.collider);
+  return of_a != nullptr && of_b != nullptr && of_a->overlap(a.X_WP, *of_b, b.X_WP);
 }
 
 bool Scene::collides() {
@@ -305,11 +323,19 @@ bool Scene::collides() {
   }
   // The deepest first.
   std::sort(suspects_.begin(), suspects_.end(), [](const Suspect& a, const Suspect& b) { return a.gap < b.gap; });
-  for (const Suspect& suspect : suspects_) {
-    ScenePairs::Pair& pair = pairs_[suspect.pair];
-    if (!collide(pair, parts_[suspect.seeker])) continue;
-    met_[0] = pair.moved;
-    met_[1] = pair.environment;
+  const auto isHit = [this](const Suspect& suspect) {
+    // On a motion what is near was mostly free before: there balls seldom meet.
+    return parts_[suspect.seeker].look <= kTouchingDistance && suspect.gap < 0.0 && ballsMeet(pairs_[suspect.pair]);
+  };
+  auto hit = std::find_if(suspects_.begin(), suspects_.end(), isHit);
+  if (hit == suspects_.end()) {
+    hit = std::find_if(suspects_.begin(), suspects_.end(), [this](const Suspect& suspect) {
+      return collide(pairs_[suspect.pair], parts_[suspect.seeker]);
+    });
+  }
+  if (hit != suspects_.end()) {
+    met_[0] = pairs_[hit->pair].moved;
+    met_[1] = pairs_[hit->pair].environment;
     return true;
   }
   for (const PartIndex seeker : pairs_.seekers()) {

@@ -7,8 +7,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
+#include "collision/queries/inner_balls.h"
 #include "collision/queries/motion_check.h"
 #include "collision/queries/placed_bounds.h"
 #include "collision/queries/proximity_query.h"
@@ -127,6 +129,7 @@ class Scene {
     Pose X_WP;
     PartKey key;
     std::shared_ptr<const MeshCollider> collider;  ///< Null once removed.
+    std::shared_ptr<InnerBallsOnDemand> balls;     ///< Shared by all parts of this collider.
   };
   struct Candidate {
     double lower_bound;
@@ -136,31 +139,31 @@ class Scene {
   struct Station {
     Pose X_WP;
     PlacedBounds at;
-    bool is_known = false;
   };
+  /// Of so many stretches middle and spread are kept. Instead of a middle 0 has the end, asked for as kEndNode.
+  static constexpr std::size_t kStations = 16;
+  static constexpr std::size_t kEndNode = ~std::size_t{0};
   /// A stretch of a motion; number 1 is the whole, 2 and 3 its halves, 4 to 7 its quarters.
   struct Stretch {
     double from, to;
     std::size_t node;
     double middle() const { return 0.5 * (from + to); }
+    bool isKept() const { return node > 0 && node < kStations; }
   };
   /// Where any point of a part is on a stretch: where it is in its middle, moved by some share from -1 to 1 of d_W, and
   /// by as much again in any direction as `rest` (m).
   struct Spread {
     dvec3 d_W{0.0};
     double rest = 0.0;
-    bool is_known = false;
   };
-  /// Middle and spread are kept for this many stretches. Entry 0 holds the end of the motion (kEndNode) instead of a
-  /// middle.
-  static constexpr std::size_t kStations = 16;
-  static constexpr std::size_t kEndNode = ~std::size_t{0};
-  /// A part of advance().
+  /// A part of advance(). Its 4 KB are used again by the next motion.
   struct Swept {
-    PartIndex part;
-    const PartMotion* motion;
+    PartIndex part = 0;
+    const PartMotion* motion = nullptr;
+    Pose X_WBegin, X_WEnd;
     PlacedBounds begin;
-    std::array<Station, kStations> stations{};  ///< Those that were asked for.
+    std::uint32_t known_stations = 0, known_spreads = 0;  ///< Bits: those that were asked for.
+    std::array<Station, kStations> stations{};
     std::array<Spread, kStations> spread{};
   };
 
@@ -198,6 +201,8 @@ class Scene {
   void lookAround(PartIndex part);
   void suspect(PartIndex seeker, PartIndex other);
   bool collide(ScenePairs::Pair& pair, Part& seeker);
+  bool ballsMeet(ScenePairs::Pair& pair);
+  double boxesApart(ScenePairs::Pair& pair);
   void gather(double margin);
   void measure(PairIndex pair, DistanceDemand& left, std::optional<PairDistance>& best);
   void searchNearest(double margin, DistanceDemand& left, std::optional<PairDistance>& best);
@@ -208,12 +213,15 @@ class Scene {
   bool keepsApart(ProximityQuery& query, Mover& a, Mover& b, double clearance);
   Mover moverOf(PartIndex part);
   const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
-  Spread spreadOf(Mover& mover, std::size_t node, const Stretch& stretch, const Pose& X_WMiddle) const;
+  Spread spreadOf(Mover& mover, const Stretch& stretch, const Pose& X_WMiddle) const;
+  std::span<const Swept> swept() const { return {swept_.data(), swept_count_}; }
+  void endMotion();
   MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 
   std::vector<Part> parts_;
   std::vector<PartIndex> unused_;
+  std::unordered_map<const MeshCollider*, std::weak_ptr<InnerBallsOnDemand>> balls_;
   ScenePairs pairs_;
   PartTree tree_;            ///< Of the parts that are sought.
   double sought_way_ = 0.0;  ///< m: upper bound of their path lengths, summed over the rounds.
@@ -229,7 +237,8 @@ class Scene {
     PartIndex seeker;
   };
   std::vector<Suspect> suspects_;
-  std::vector<Swept> swept_;
+  std::vector<Swept> swept_;  ///< Those of the present motion are the first swept_count_.
+  std::size_t swept_count_ = 0;
   std::vector<std::uint32_t> swept_of_;  ///< For each part: its index in swept_ plus one; 0: it does not move.
 };
 

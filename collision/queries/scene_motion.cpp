@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene::advance() and Scene::findNearer().
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "collision/queries/motion_bound.h"
@@ -28,6 +29,12 @@ constexpr std::size_t kWhole = 1, kSoonHalved = 3;
 /// longer searches that prove nothing.
 constexpr int kEffortBeforeHalving = 100;
 constexpr int kAnyEffort = std::numeric_limits<int>::max();
+
+/// The number of the stretch whose middle is at numerator / 2^level: neither end of the motion.
+std::size_t nodeOfMiddle(std::size_t numerator, int level) {
+  const int halved = std::countr_zero(numerator);
+  return (std::size_t{1} << (level - halved - 1)) + (numerator >> (halved + 1));
+}
 
 /// A piece of a motion.
 struct Cut {
@@ -79,22 +86,29 @@ void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance,
 
 void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing) {
   ++pass_;
-  swept_.clear();
+  swept_count_ = 0;
   candidates_.clear();
+  if (swept_.size() < moved.size()) swept_.resize(moved.size());
   for (const MovedPart& part : moved) {
     if (parts_[part.part].empty) continue;
+    Swept& now = swept_[swept_count_++];
+    now.part = part.part;
+    now.motion = &part.motion;
+    now.X_WBegin = part.motion.at(0.0);
+    now.X_WEnd = part.motion.at(1.0);
     // The bounds are of the beginning, wherever the scene has its parts now.
-    swept_.push_back({part.part, &part.motion, placedBounds(*parts_[part.part].collider, part.motion.at(0.0)), {}, {}});
-    swept_of_[part.part] = static_cast<std::uint32_t>(swept_.size());
+    now.begin = placedBounds(*parts_[part.part].collider, now.X_WBegin);
+    now.known_stations = now.known_spreads = 0;
+    swept_of_[part.part] = static_cast<std::uint32_t>(swept_count_);
     Mover mover = moverOf(part.part);
     Station scratch;
-    spreadOf(mover, kWhole, {0.0, 1.0, kWhole}, stationOf(mover, kWhole, 0.5, scratch).X_WP);
+    spreadOf(mover, {0.0, 1.0, kWhole}, stationOf(mover, kWhole, 0.5, scratch).X_WP);
   }
-  for (const Swept& swept : swept_) {
+  for (const Swept& swept : this->swept()) {
     tree_.visitNear(sweptBox(swept), clearance, [&](PartIndex other) {
       if (swept_of_[other] == 0) addMotionPair(swept, other, clearance, standing);
     });
-    for (const Swept& other : swept_) {
+    for (const Swept& other : this->swept()) {
       if (other.part != swept.part) addMotionPair(swept, other.part, clearance, standing);
     }
     if (!pairs_.isSought(swept.part)) continue;
@@ -118,38 +132,61 @@ Scene::Mover Scene::moverOf(PartIndex part) {
 
 /// Where it is at s. The first middles are kept, as many pairs ask for them; `node` is their number, 0: none of them.
 const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s, Station& scratch) {
-  const bool is_kept = mover.swept != nullptr && (node == kEndNode || (node > 0 && node < kStations));
+  if (mover.swept == nullptr) {
+    scratch.X_WP = mover.standing.X_WStart;
+    scratch.at = boundsOf(mover.part);
+    return scratch;
+  }
+  const bool is_kept = node == kEndNode || (node > 0 && node < kStations);
   const std::size_t place = node == kEndNode ? 0 : node;
+  const std::uint32_t bit = is_kept ? 1u << place : 0u;
   Station& station = is_kept ? mover.swept->stations[place] : scratch;
-  if (is_kept && station.is_known) return station;
-  station.X_WP = mover.motion().at(s);
-  station.at = mover.swept == nullptr ? boundsOf(mover.part) : placedBounds(*parts_[mover.part].collider, station.X_WP);
-  station.is_known = true;
+  if ((mover.swept->known_stations & bit) != 0) return station;
+  station.X_WP = node == kEndNode ? mover.swept->X_WEnd : mover.motion().at(s);
+  station.at = placedBounds(*parts_[mover.part].collider, station.X_WP);
+  mover.swept->known_stations |= bit;
   return station;
 }
 
 /// Towards each end a point is no farther from its chord than its path bends, and its chord is that of the sphere's
 /// centre but for the turn.
-Scene::Spread Scene::spreadOf(Mover& mover, std::size_t node, const Stretch& stretch, const Pose& X_WMiddle) const {
+Scene::Spread Scene::spreadOf(Mover& mover, const Stretch& stretch, const Pose& X_WMiddle) const {
   if (mover.swept == nullptr) return {};
-  const bool is_kept = node > 0 && node < kStations;
-  if (is_kept && mover.swept->spread[node].is_known) return mover.swept->spread[node];
+  Swept& swept = *mover.swept;
+  const std::uint32_t bit = stretch.isKept() ? 1u << stretch.node : 0u;
+  if ((swept.known_spreads & bit) != 0) return swept.spread[stretch.node];
   const PartMotion& motion = mover.motion();
   const double half = 0.5 * (stretch.to - stretch.from);
-  Spread spread{dvec3(0.0), motion.path_bound * half, true};
+  Spread spread{dvec3(0.0), motion.path_bound * half};
   const double beside = motion.bend_bound * half * half / 8.0;
   if (beside < spread.rest) {
     const MeshCollider& mesh = *parts_[mover.part].collider;
-    const Pose X_WFrom = motion.at(stretch.from), X_WTo = motion.at(stretch.to);
-    const dvec3 back = X_WFrom * mesh.center() - X_WMiddle * mesh.center();
-    const dvec3 ahead = X_WTo * mesh.center() - X_WMiddle * mesh.center();
+    Pose X_WFrom, X_WTo;
+    if (stretch.isKept()) {  // Both ends are ends of the whole, or middles that were asked for.
+      const int level = std::bit_width(stretch.node) - 1;
+      const std::size_t whole = std::size_t{1} << level, from = stretch.node - whole, to = from + 1;
+      X_WFrom = from == 0 ? swept.X_WBegin : swept.stations[nodeOfMiddle(from, level)].X_WP;
+      X_WTo = to == whole ? swept.X_WEnd : swept.stations[nodeOfMiddle(to, level)].X_WP;
+    } else {
+      X_WFrom = motion.at(stretch.from);
+      X_WTo = motion.at(stretch.to);
+    }
+    const dvec3 middle = X_WMiddle * mesh.center();
+    const dvec3 back = X_WFrom * mesh.center() - middle, ahead = X_WTo * mesh.center() - middle;
     const double turn =
         std::max(turnBound(X_WFrom, X_WMiddle, mesh.radius()), turnBound(X_WTo, X_WMiddle, mesh.radius()));
     const double rest = 0.5 * glm::length(ahead + back) + turn + beside;
-    if (rest < spread.rest) spread = {0.5 * (ahead - back), rest, true};
+    if (rest < spread.rest) spread = {0.5 * (ahead - back), rest};
   }
-  if (is_kept) mover.swept->spread[node] = spread;
+  if (bit != 0) {
+    swept.spread[stretch.node] = spread;
+    swept.known_spreads |= bit;
+  }
   return spread;
+}
+
+void Scene::endMotion() {
+  for (const Swept& swept : swept()) swept_of_[swept.part] = 0;
 }
 
 /// As collision::advance(), for motions that are long against what they pass: halves them until what is left of each is
@@ -170,7 +207,8 @@ MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double
     const double middle = piece.middle();
     const std::size_t node = is_whole ? piece.node : 0;
     const Station &at_a = stationOf(moved, node, middle, scratch_a), &at_b = stationOf(met, node, middle, scratch_b);
-    const Spread of_a = spreadOf(moved, node, piece, at_a.X_WP), of_b = spreadOf(met, node, piece, at_b.X_WP);
+    const Stretch stretch{piece.from, piece.to, node};
+    const Spread of_a = spreadOf(moved, stretch, at_a.X_WP), of_b = spreadOf(met, stretch, at_b.X_WP);
     const dvec3 sweep_W = of_a.d_W - of_b.d_W;
     const double margin = least + of_a.rest + of_b.rest + kRounding;
     if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin) continue;
@@ -231,7 +269,7 @@ SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
     stop = again;
   }
   if (!holds) stop.s = 0.0;
-  for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
+  endMotion();
   return stop;
 }
 
@@ -252,8 +290,7 @@ bool Scene::keepsApart(ProximityQuery& query, Mover& moved, Mover& met, double c
     const double middle = piece.middle(), length = rate * (piece.to - piece.from);
     const Station& at_a = stationOf(moved, piece.node, middle, scratch_a);
     const Station& at_b = stationOf(met, piece.node, middle, scratch_b);
-    const Spread of_a = spreadOf(moved, piece.node, piece, at_a.X_WP),
-                 of_b = spreadOf(met, piece.node, piece, at_b.X_WP);
+    const Spread of_a = spreadOf(moved, piece, at_a.X_WP), of_b = spreadOf(met, piece, at_b.X_WP);
     const dvec3 sweep_W = of_a.d_W - of_b.d_W;
     const double margin = least + of_a.rest + of_b.rest + kRounding;
     if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin || sweptBoxGap(at_a.at, at_b.at, sweep_W) > margin) continue;
@@ -303,7 +340,7 @@ std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std
         candidates_[i].lower_bound <= least && queryOf(pair).within(a.motion().at(0.0), b.motion().at(0.0), least);
     if (begins_near || !keepsApart(queryOf(pair), a, b, clearanceOf(candidates_[i].pair))) found = candidates_[i].pair;
   }
-  for (const Swept& swept : swept_) swept_of_[swept.part] = 0;
+  endMotion();
   return found;
 }
 

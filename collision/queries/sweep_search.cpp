@@ -46,11 +46,12 @@ bool SweepSearch::isNear(const TriangleIndices& pair, double reach) const {
   return improveTriangleDistance(a_.mesh().corners(pair.a), corners_b, nearest);
 }
 
-bool SweepSearch::run(TriangleIndices& warm) {
-  if (isNear(warm, margin_)) return true;
+bool SweepSearch::run(TriangleIndices& warm, bool& is_near) {
+  if (is_near && isNear(warm, margin_)) return true;
   DualTraversal<SweepSearch> traversal(a_.tree(), b_.tree(), X_AB_, *this);
   traversal.run();
-  if (found_ && effort_ >= 0) warm = pair_;
+  is_near = found_ && effort_ >= 0;
+  if (is_near) warm = pair_;
   return found_;
 }
 
@@ -58,11 +59,30 @@ bool SweepSearch::run(TriangleIndices& warm) {
 /// least distance allows it, they are said to meet.
 void SweepSearch::leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
                            const LeafTransform& transform) {
-  alignas(16) float ignored[9][kLeafSize];
-  std::uint32_t near = proximityKernels().sweptLeafPairs(leaf_a, leaf_b, transform, limit_squared_, sweep_a_, ignored);
-  for (; near != 0 && !found_; near &= near - 1) {
-    const auto bit = static_cast<std::uint32_t>(std::countr_zero(near));
-    pair_ = {leaf_a.triangle[bit % kLeafSize], leaf_b.triangle[bit / kLeafSize]};
+  alignas(16) float corners_b[9][kLeafSize];
+  const std::uint32_t near =
+      proximityKernels().sweptLeafPairs(leaf_a, leaf_b, transform, limit_squared_, sweep_a_, corners_b);
+  if (near == 0) return;
+  PackedPairs packed;
+  TriangleIndices pairs[kPackSize];
+  int count = 0;
+  for (std::uint32_t left = near; left != 0; left &= left - 1, ++count) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
+    const std::uint32_t i = bit % kLeafSize, j = bit / kLeafSize;
+    pairs[count] = {leaf_a.triangle[i], leaf_b.triangle[j]};
+    for (int k = 0; k < 9; ++k) {
+      packed.first[k][count] = leaf_a.corner[k][i];
+      packed.second[k][count] = corners_b[k][j];
+    }
+  }
+  for (int lane = count; lane < kPackSize; ++lane) {
+    for (int k = 0; k < 9; ++k) packed.first[k][lane] = packed.second[k][lane] = 0.0F;
+  }
+  PackedDistances distances;
+  proximityKernels().packedDistances(packed, count, distances);
+  for (int lane = 0; lane < count && !found_; ++lane) {
+    if (distances.squared[lane] - distances.doubt[lane] > reach_squared_) continue;
+    pair_ = pairs[lane];
     found_ = isNear(pair_, reach_);
   }
 }

@@ -24,8 +24,9 @@ class SweepSearch {
  public:
   SweepSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const Sweep& sweep);
 
-  /// Whether there are such triangles: false is proven. Tries the pair `warm` first, and leaves there what it found.
-  bool run(TriangleIndices& warm);
+  /// Whether there are such triangles: false is proven. Tries the pair `warm` first if `is_near` says that it probably
+  /// is; leaves there what it found, and whether it found some.
+  bool run(TriangleIndices& warm, bool& is_near);
 
   // For DualTraversal.
   float limitSquared() const { return limit_squared_; }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/trees/dual_traversal.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace hapticell::collision {
 
 TraversalSide::TraversalSide(const BoxTree& of, const dmat3& rotation, const dvec3& position)
@@ -49,11 +46,11 @@ void TraversalSide::see(TraversalBox& box) const {
 
 namespace {
 
-QueryBox seenFrom(const BoxNode& node, const TraversalBox& box) {
+QueryBox seenFrom(const float* origin, const TraversalBox& box) {
   QueryBox query;
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) query.axis[i][k] = box.seen_axis[i][k];
-    query.center[i] = static_cast<float>(box.seen_center[i] - double{node.origin[i]});
+    query.center[i] = static_cast<float>(box.seen_center[i] - double{origin[i]});
     query.half[i] = box.own.half[i];
   }
   return query;
@@ -63,38 +60,17 @@ QueryBox seenFrom(const BoxNode& node, const TraversalBox& box) {
 
 void TraversalSide::bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const {
   const BoxNode& node = tree.node(opened.child);
-  proximityKernels().boxBounds(node, seenFrom(node, other), squared);
+  proximityKernels().boxBounds(node, seenFrom(node.origin, other), squared);
 }
 
 void TraversalSide::sweptBounds(const TraversalBox& opened, const TraversalBox& other, const float* sweep,
                                 float* squared) const {
   const BoxNode& node = tree.node(opened.child);
-  proximityKernels().sweptBoxBounds(node, seenFrom(node, other), sweep, squared);
+  proximityKernels().sweptBoxBounds(node, seenFrom(node.origin, other), sweep, squared);
 }
 
-bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared) {
-  OrientedBox seen;
-  double size = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) seen.R[i][k] = box.seen_axis[i][k];
-    seen.center[i] = box.seen_center[i] - double{leaf.origin[i]};
-    seen.half[i] = box.own.half[i];
-    size += std::abs(seen.center[i]) + seen.half[i];
-  }
-  for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-    Corners corners;
-    double reach = size;
-    for (std::size_t c = 0; c < 3; ++c) {
-      for (int i = 0; i < 3; ++i) {
-        const double x = leaf.corner[3 * c + static_cast<std::size_t>(i)][lane];
-        corners[c][i] = x;
-        reach += std::abs(x);
-      }
-    }
-    const double gap = std::sqrt(lowerBoundSquared(seen, corners)) - 1e-6 * reach;
-    if (gap <= 0.0 || gap * gap < limit_squared) return false;
-  }
-  return true;
+bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, float limit_squared) {
+  return proximityKernels().isLeafBeyond(leaf, seenFrom(leaf.origin, box), limit_squared);
 }
 
 }  // namespace hapticell::collision

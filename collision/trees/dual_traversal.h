@@ -40,7 +40,7 @@ struct TraversalSide {
 
 /// Whether a leaf much larger than the box is farther from it than the limit. It checks the leaf's triangles, because
 /// the leaf's box, if long and slanted, can be nearer than its triangles by more than the other box's size.
-bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared);
+bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, float limit_squared);
 
 /// Visits the pairs of boxes that are near each other, depth first and nearest first.
 ///
@@ -112,7 +112,7 @@ class DualTraversal {
     box_side.see(box);
     float limit = visitor_.limitSquared();
     if constexpr (requires { visitor_.reachSquared(); }) limit = visitor_.reachSquared();
-    return isBeyondTriangles(side.tree.leaf(leaf.child), box, double{limit});
+    return isBeyondTriangles(side.tree.leaf(leaf.child), box, limit);
   }
 
   void openOne(const TraversalSide& side, TraversalBox& opened, const TraversalSide& other_side, TraversalBox& other,
@@ -136,6 +136,7 @@ class DualTraversal {
       order[at] = lane;
     }
     if (met > 1) deepestFirst(node, other, order, met);
+    prefetch(side.tree, node, order, near);
     unsigned left_out = lanes;
     for (int i = 0; i < near && !visitor_.isDone() && bounds[order[i]] < visitor_.limitSquared(); ++i) {
       left_out &= ~(1u << order[i]);
@@ -153,6 +154,21 @@ class DualTraversal {
         if ((left_out >> lane & 1u) != 0 && bounds[lane] < least) least = bounds[lane];
       }
       visitor_.culled(opened_a ? opened : other, opened_a ? other : opened, opened_a, left_out, least);
+    }
+  }
+
+  /// What is visited first is on its way from memory while the boxes are placed.
+  static void prefetch(const BoxTree& tree, const BoxNode& node, const int* order, int near) {
+    // Half: the second waits for memory; twice: most of it is never visited.
+    constexpr int kVisitedSoon = 2;
+    for (int i = 0; i < near && i < kVisitedSoon; ++i) {
+      const std::uint32_t child = node.child[order[i]];
+      const bool is_leaf = BoxTree::isLeaf(child);
+      const char* begin =
+          is_leaf ? reinterpret_cast<const char*>(&tree.leaf(child)) : reinterpret_cast<const char*>(&tree.node(child));
+      const std::size_t size = is_leaf ? sizeof(LeafBlock) : sizeof(BoxNode);
+      constexpr std::size_t kCacheLine = 64;
+      for (std::size_t at = 0; at < size; at += kCacheLine) __builtin_prefetch(begin + at);
     }
   }
 

@@ -97,8 +97,8 @@ struct ProximityKernels {
   std::uint32_t (*leafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                              float limit_squared, float (*corners_b)[kLeafSize]);
 
-  /// Distances of 16 pairs.
-  void (*packedDistances)(const PackedPairs& pairs, PackedDistances& result);
+  /// Distances of the first `count` pairs, 16 at most; the result's other lanes are undefined.
+  void (*packedDistances)(const PackedPairs& pairs, int count, PackedDistances& result);
 
   /// Squares of the distances of 8 pairs, to double's rounding.
   void (*exactDistances)(const ExactPairs& pairs, double* squared);
@@ -111,6 +111,11 @@ struct ProximityKernels {
   void (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const float* sweep, float* squared);
   std::uint32_t (*sweptLeafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                                   float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]);
+
+  /// Whether all triangles of the leaf are proven to be farther from the box (in the leaf's frame, relative to its
+  /// origin) than sqrt(limit_squared): each along the line from its nearest point to the box's middle, which is tight
+  /// where the box is smaller than the triangle.
+  bool (*isLeafBeyond)(const LeafBlock& leaf, const QueryBox& query, float limit_squared);
 };
 
 /// The kernels of this machine: the widest instruction set of its processor. To use less, set HAPTICELL_SIMD to

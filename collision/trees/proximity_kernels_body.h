@@ -292,6 +292,53 @@ std::uint32_t sweptLeafPairs(const LeafBlock& a, const LeafBlock& b, const LeafT
   return pairsOfLeaves<true>(a, b, transform, limit_squared, sweep, corners_b);
 }
 
+/// From the triangles' nearest points to the middle of a box, which is the origin. Any axis proves what it proves: its
+/// rounding does not matter.
+template <typename V>
+HAPTICELL_INLINE Vector<V> fromTriangle(const Vector<V>* corner) {
+  V least = all<V>(3e38f);
+  Vector<V> nearest{};
+  for (int c = 0; c < 3; ++c) {
+    const Vector<V> edge = corner[(c + 1) % 3] - corner[c];
+    const V length = dot(edge, edge);
+    const V share = length > V{} ? clampedToUnit(-dot(corner[c], edge) / length) : V{};
+    const Vector<V> foot = corner[c] + share * edge;
+    const V square = dot(foot, foot);
+    const auto is_nearer = square < least;
+    least = is_nearer ? square : least;
+    nearest = {is_nearer ? foot.x : nearest.x, is_nearer ? foot.y : nearest.y, is_nearer ? foot.z : nearest.z};
+  }
+  const Vector<V> e = corner[1] - corner[0], g = corner[2] - corner[0], normal = cross(e, g);
+  const V ee = dot(e, e), eg = dot(e, g), gg = dot(g, g), d1 = -dot(e, corner[0]), d2 = -dot(g, corner[0]);
+  const V s = gg * d1 - eg * d2, t = ee * d2 - eg * d1, square = dot(normal, normal);
+  const auto inside = (s >= V{}) & (t >= V{}) & (s + t <= square) & (square > V{});
+  const V height = square > V{} ? dot(normal, corner[0]) / square : V{};
+  const Vector<V> foot = height * normal;
+  return {inside ? -foot.x : -nearest.x, inside ? -foot.y : -nearest.y, inside ? -foot.z : -nearest.z};
+}
+
+bool isLeafBeyond(const LeafBlock& leaf, const QueryBox& query, float limit_squared) {
+  using V = Float4;
+  using Mask4 = std::int32_t __attribute__((vector_size(16)));
+  Vector<V> corner[3];
+  V reach{};
+  for (int c = 0; c < 3; ++c) {
+    const Vector<V> at = loadVector<V>(leaf.corner[3 * c], kLeafSize);
+    reach = larger(reach, sumOfMagnitudes(at));
+    corner[c] = {at.x - query.center[0], at.y - query.center[1], at.z - query.center[2]};
+  }
+  const Vector<V> axis = fromTriangle(corner);
+  V gap = -larger(larger(dot(axis, corner[0]), dot(axis, corner[1])), dot(axis, corner[2]));
+  for (int i = 0; i < 3; ++i) {
+    const float* q = query.axis[i];
+    gap -= query.half[i] * magnitude(axis.x * q[0] + axis.y * q[1] + axis.z * q[2]);
+    reach += absolute(query.center[i]) + query.half[i];
+  }
+  const V sure = gap - kRoundingOfSums * sumOfMagnitudes(axis) * reach;
+  const auto beyond = Mask4((sure > V{}) & (sure * sure > limit_squared * dot(axis, axis)));
+  return (beyond[0] & beyond[1] & beyond[2] & beyond[3]) != 0;  // Unused lanes repeat the last triangle.
+}
+
 /// A triangle and the values that its pairs share.
 template <typename V>
 struct Face {
@@ -423,9 +470,9 @@ HAPTICELL_INLINE void packedPart(const PackedPairs& pairs, int lane, PackedDista
   store(&result.doubt[lane], size * (4.0f + slender) * 2.4e-7f);
 }
 
-void packedDistances(const PackedPairs& pairs, PackedDistances& result) {
+void packedDistances(const PackedPairs& pairs, int count, PackedDistances& result) {
   constexpr int kLanes = sizeof(HAPTICELL_PACKED_LANES) / sizeof(float);
-  for (int lane = 0; lane < kPackSize; lane += kLanes) packedPart<HAPTICELL_PACKED_LANES>(pairs, lane, result);
+  for (int lane = 0; lane < count; lane += kLanes) packedPart<HAPTICELL_PACKED_LANES>(pairs, lane, result);
 }
 
 void exactDistances(const ExactPairs& pairs, double* squared) {
@@ -456,7 +503,8 @@ std::uint32_t nearBoxes(const PartBoxes& boxes, const QueryBounds& query) {
 }  // namespace
 
 extern const ProximityKernels HAPTICELL_KERNELS;
-const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds, leafPairs,      packedDistances,
-                                         exactDistances,         nearBoxes, sweptBoxBounds, sweptLeafPairs};
+const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds,      leafPairs,
+                                         packedDistances,        exactDistances, nearBoxes,
+                                         sweptBoxBounds,         sweptLeafPairs, isLeafBeyond};
 
 }  // namespace hapticell::collision

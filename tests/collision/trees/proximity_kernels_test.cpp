@@ -78,8 +78,9 @@ TEST_P(ProximityKernels, PackedDistancesAreWithinTheirDoubt) {
       }
     }
     PackedDistances found;
-    kernels_->packedDistances(pairs, found);
-    for (int lane = 0; lane < kPackSize; ++lane) {
+    const int count = 1 + round % kPackSize;
+    kernels_->packedDistances(pairs, count, found);
+    for (int lane = 0; lane < count; ++lane) {
       const double expected = triangleDistance(first[lane], second[lane]).squared;
       EXPECT_LE(std::abs(double{found.squared[lane]} - expected), double{found.doubt[lane]}) << expected;
       worst_doubt = std::max(worst_doubt, double{found.doubt[lane]} / std::max(expected, 0.01));
@@ -147,6 +148,54 @@ TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
       EXPECT_LE(std::sqrt(double{squared[lane]}), least + 1e-5);
     }
   }
+}
+
+TEST_P(ProximityKernels, LeavesAreBeyondABoxOnlyWhereAllTrianglesAre) {
+  int beyond = 0, missed = 0;
+  for (int round = 0; round < 5000; ++round) {
+    LeafBlock leaf = {};
+    leaf.count = static_cast<std::uint32_t>(1 + round % kLeafSize);
+    Corners corners[kLeafSize];
+    const dvec3 far_away = anywhere(round % 5 == 0 ? 20.0 : 0.0);
+    for (int lane = 0; lane < kLeafSize; ++lane) {
+      const auto own = std::min(lane, static_cast<int>(leaf.count) - 1);  // Unused lanes repeat the last one.
+      if (own == lane) corners[lane] = triangle(round + lane, far_away, 0.3);
+      for (std::size_t k = 0; k < 9; ++k) {
+        leaf.corner[k][lane] = asFloat(corners[own][k / 3][static_cast<int>(k % 3)]);
+        corners[own][k / 3][static_cast<int>(k % 3)] = double{leaf.corner[k][lane]};
+      }
+    }
+    const Pose X = test::randomPose(random_, 0.4);
+    const OrientedBox box{X.R(), far_away + X.p, 0.05 * glm::abs(dvec3(unit(), unit(), unit()))};
+    QueryBox query;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) query.axis[i][k] = asFloat(box.R[i][k]);
+      query.center[i] = asFloat(box.center[i]);
+      query.half[i] = asFloat(box.half[i]);
+    }
+    double least = 1e9, bound = 1e9;
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+      bound = std::min(bound, lowerBoundSquared(box, corners[lane]));
+      for (int i = -2; i <= 2; ++i) {
+        for (int j = -2; j <= 2; ++j) {
+          for (int k = -2; k <= 2; ++k) {
+            const dvec3 p = box.center + box.R * (box.half * (0.5 * dvec3(i, j, k)));
+            least = std::min(least, glm::distance(p, closestPointOnTriangle(corners[lane], p)));
+          }
+        }
+      }
+    }
+    const double limit = least * (0.8 + 0.4 * std::abs(unit()));
+    if (kernels_->isLeafBeyond(leaf, query, asFloat(limit * limit))) {
+      ++beyond;
+      EXPECT_GT(least, limit - 1e-7) << round;
+    } else {
+      // Not weaker than in double, but for the rounding, which matters for a needle now and then.
+      missed += std::sqrt(bound) > limit + 1e-4;
+    }
+  }
+  EXPECT_GT(beyond, 500);
+  EXPECT_LT(missed, beyond / 200);
 }
 
 TEST_P(ProximityKernels, PlanesOnlyPassOverPairsThatAreFarther) {
