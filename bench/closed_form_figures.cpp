@@ -159,6 +159,49 @@ void everySolution(const char* name, const RobotModel& model, int count) {
   print("", "all, as lists", ns);
 }
 
+/// Poses about the base, most of them out of reach or of limits: places in a cube of the arm's reach, any orientation.
+std::vector<Pose> posesAbout(const Chain& chain, int count) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::normal_distribution<double> normal;
+  std::vector<Pose> poses;
+  for (int i = 0; i < count; ++i) {
+    Pose X_BT;
+    for (int k = 0; k < 3; ++k) X_BT.p[k] = chain.reach() * place(random);
+    X_BT.q = glm::normalize(dquat(normal(random), normal(random), normal(random), normal(random)));
+    poses.push_back(X_BT);
+  }
+  return poses;
+}
+
+/// How often solveAll() has no solution within limits where solve() has one, and what either costs.
+void listsOfSeven(const char* name, const RobotModel& model, int count) {
+  const auto inverse = createInverse(model, model.defaultTip());
+  const std::vector<double> start = kinematics::restPositions(model);
+  const auto measure = [&](const char* what, const std::vector<Pose>& poses) {
+    std::vector<double> ns, ns_one;
+    int reached = 0, listed = 0, only_listed = 0;
+    for (const Pose& X_BT : poses) {
+      std::vector<AlternativeSolution> all;
+      InverseSolution one;
+      ns.push_back(timed([&] { all = (*inverse)->solveAll(X_BT, start); }));
+      ns_one.push_back(timed([&] { one = (*inverse)->solve(X_BT, start); }));
+      const bool within = std::any_of(all.begin(), all.end(), [](const auto& listed_one) { return listed_one.within_limits; });
+      reached += one.status == InverseStatus::kSolved ? 1 : 0;
+      listed += within && one.status == InverseStatus::kSolved ? 1 : 0;
+      only_listed += within && one.status != InverseStatus::kSolved ? 1 : 0;
+    }
+    std::printf("%-8s %s: %d of %zu solved, %d of these not listed, %d listed that are not solved\n", name, what, reached,
+                poses.size(), reached - listed, only_listed);
+    print(name, "solveAll", ns);
+    print(name, "solve", ns_one);
+  };
+  std::vector<Pose> reachable;
+  for (const ReachedPose& pose : reachedPoses(model, count)) reachable.push_back(pose.X_BT);
+  measure("reachable poses", reachable);
+  measure("poses anywhere", posesAbout(*(*inverse)->chain(), std::max(100, count / 20)));
+}
+
 }  // namespace
 
 double clockCost() {
@@ -198,6 +241,11 @@ void closedForms(int poses) {
   kernels::usePlain(true);
   everyArm(poses);
   kernels::usePlain(false);
+}
+
+void sevenAxisLists(int poses) {
+  listsOfSeven("Panda", kinematics::test::panda(), poses);
+  listsOfSeven("iiwa 14", kinematics::test::iiwa(), poses);
 }
 
 void allSolutions(int poses) {

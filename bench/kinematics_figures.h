@@ -43,6 +43,8 @@ void print(const char* robot, const char* what, std::vector<double>& ns);
 void closedForms(int poses);
 /// InverseModel::solveAll() and solve(): all solutions, found or not, calibrated arms.
 void allSolutions(int poses);
+/// Seven axes: how often solveAll() has no solution within limits where solve() has one, and the times of both.
+void sevenAxisLists(int poses);
 /// The numeric model from random starts, beside KDL where it is installed.
 void numericInverse(int poses);
 /// Paths at 1 kHz: inside, through the wrist's singularity, past the boundary.

@@ -2,6 +2,7 @@
 // What the pose leaves free of an arm (slides in front, a seventh joint), and the search over it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/closed_form/analytic_inverse.h"
 #include "kinematics/model/turns.h"
@@ -13,6 +14,13 @@ namespace {
 // Rounds of the pattern search; halved each time from 1/128 of the range, the step ends at 3e-9 rad. Half: ends at 1e-5
 // rad, a visible distance from the nearest answer; twice: up to twice the time, below rounding.
 constexpr int kRefinements = 24;
+
+// Places of a seventh joint or swivel that are tried where coarser ones found nothing: 0.01 rad apart. Half: the descent
+// is asked more often; twice: 70 us more for each pose that no joint positions reach.
+constexpr int kFineSamples = 512;
+// rad: a fine place is so near the limits that the descent may find a way between two places; over ten times as far as
+// these are apart. Half: a narrow way may be lost; twice: more descents for poses that nothing reaches.
+constexpr double kNearLimits = 0.15;
 
 // How many places of each free parameter are tried, by how many there are.
 int samplesFor(std::size_t count) {
@@ -118,6 +126,47 @@ void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start
   const kernels::Choice choice = evaluate(X_BT, best.place, x_start, true, solutions);
   best.any = choice.nearest >= 0;
   if (best.any) best.x = assemble(best.place, solutions, choice.nearest);
+}
+
+// The least that any joint of any solution is beyond its limits at this place, rad or m; infinite: none exists.
+double AnalyticInverse::leastExcess(const kernels::Solutions& solutions) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (int slot = 0; slot < 4 * closed_->groups(); ++slot) {
+    if ((solutions.valid >> slot & 1u) == 0) continue;
+    double excess = 0.0;
+    for (int joint = 0; joint < bounds_.joints; ++joint) {
+      const double q = solutions.q[joint][slot];
+      excess = std::max({excess, bounds_.lower[joint] - q, q - bounds_.upper[joint]});
+    }
+    least = std::min(least, excess);
+  }
+  return least;
+}
+
+// Where the limits leave a narrow way only, it passes between the places of solveAll(): it is searched in ever finer
+// steps of the last free parameter; where these come near, the descent looks between them.
+void AnalyticInverse::addBetweenSamples(const Pose& X_BT, const ChainPositions& x_start,
+                                        const std::vector<double>& q_start, std::vector<Found>& all) const {
+  Best best;
+  searchFree(X_BT, x_start, best);
+  double least = best.any ? 0.0 : std::numeric_limits<double>::infinity();
+  if (!best.any && rails_ == 0) {
+    double lower, upper;
+    freeRange(0, lower, upper);
+    kernels::Solutions solutions;
+    for (int k = 0; k < kFineSamples && !best.any; ++k) {
+      const Free place{lower + (upper - lower) * (k + 0.5) / kFineSamples};
+      take(place, solutions, evaluate(X_BT, place, x_start, true, solutions), x_start, best);
+      least = std::min(least, leastExcess(solutions));
+    }
+  }
+  if (!best.any && (rails_ > 0 || least < kNearLimits)) {
+    const InverseSolution solution = numeric_->solveAny(X_BT, q_start);
+    if (solution.status != InverseStatus::kSolved) return;
+    best.x = pick(solution.q);
+    best.any = true;
+  }
+  if (best.any) all.push_back({best.x, true, distanceSquared(*numeric_->chain(), best.x, x_start)});
 }
 
 }  // namespace hapticell::kinematics

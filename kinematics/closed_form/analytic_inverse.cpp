@@ -271,6 +271,8 @@ std::vector<AlternativeSolution> AnalyticInverse::solveAll(const Pose& X_BT, con
     }
     collect(X_BT, place, x_start, all);
   }
+  if (count > 0 && std::none_of(all.begin(), all.end(), [](const Found& one) { return one.within; }))
+    addBetweenSamples(X_BT, x_start, q_start, all);
   return listed(all, q_start);
 }
 

@@ -17,7 +17,8 @@ namespace hapticell::kinematics {
 /// the pose is out of reach, if joints are too slow, and for variables that the closed form leaves free.
 ///
 /// Leading slides and a seventh joint give infinitely many solutions: solve() finds the nearest one over all of them;
-/// solveAll() lists a sample that begins with the present values of the free parameters. Const functions keep no state.
+/// solveAll() lists a sample that begins with the present values of the free parameters. If no place of the sample is
+/// within the limits, it searches as solve() does and adds what it finds. Const functions keep no state.
 class AnalyticInverse final : public InverseModel {
  public:
   /// `classification` must not be kNumeric; `numeric` is for the same chain.
@@ -77,6 +78,9 @@ class AnalyticInverse final : public InverseModel {
             const ChainPositions& x_start, Best& best) const;
   bool considerRing(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
   void searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
+  double leastExcess(const kernels::Solutions& solutions) const;
+  void addBetweenSamples(const Pose& X_BT, const ChainPositions& x_start, const std::vector<double>& q_start,
+                         std::vector<Found>& all) const;
   std::vector<AlternativeSolution> listed(const std::vector<Found>& all, const std::vector<double>& q_start) const;
   Best searchPlain(const Pose& X_BT, const ChainPositions& x_start) const;
   void fill(const Pose& X_BT, const ChainPositions& x, const std::vector<double>& q_start,
