@@ -56,12 +56,12 @@ std::string ActionRecorder::scriptSince(std::size_t mark) const {
     std::string lines;
     workcell::DocumentState state = step.before;
     workcell::EntityId next = 1;
-    for (const auto& entity : step.after.entities) next = std::max(next, entity->id + 1);
     for (const auto& entity : step.before.entities) next = std::max(next, entity->id + 1);
     if (commands) {
       for (const workcell::Command& command : *commands) {
         lines += pythonCall(command, state);
-        (void)workcell::apply(command, state, next++);  // Was tried by commandsBetween().
+        (void)workcell::apply(command, state, next);  // Was tried by commandsBetween(), which numbers in the same way.
+        if (std::holds_alternative<workcell::AddEntity>(command)) ++next;
       }
     } else {
       lines = "# Not written, because Python has no method for it: " + step.text + "\n";

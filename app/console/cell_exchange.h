@@ -20,8 +20,8 @@ struct CellText {
 CellText cellTextOf(const workcell::DocumentState& state, const std::filesystem::path& document);
 
 /// Commands that make the cell `now` what the text says, for a text that came back for cellTextOf(now, ...). Shapes that
-/// `now` has are not read again; files are read for others. Errors: of reading; a change that is none of the window's
-/// commands. Takes as long as reading takes. Any thread.
+/// `now` has are not read again; files are read for others. Errors: of reading; a change that no command of the window
+/// makes. Takes as long as reading takes. Any thread.
 Expected<std::vector<workcell::Command>> commandsFromText(const std::string& text, const std::filesystem::path& folder,
                                                           const workcell::DocumentState& now);
 

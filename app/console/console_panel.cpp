@@ -17,6 +17,7 @@
 
 #include "app/console/console_input.h"
 #include "app/console/script_files.h"
+#include "app/console/state_commands.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
@@ -248,7 +249,9 @@ void ConsolePanel::applyChange(const Expected<std::vector<workcell::Command>>& c
   } else if (!same) {
     sayLine(tr("The cell was changed in the window while Python ran, so what Python changed is not taken. Run it again."),
             Look::kError);
-  } else if (!commands->empty() && model.executeAll(step, *commands)) {
+  } else if (const auto done = executeCommands(model, step, *commands); !done) {
+    sayLine(tr("What Python changed is not taken into the cell: %1").arg(shownText(done.error())), Look::kError);
+  } else {
     given_ = model.document().state();
     given_revision_ = model.document().revision();
   }

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
-#include "workcell/document/command_checks.h"
+#include "app/host/document_model.h"
 #include "workcell/format/document_format.h"
 #include "workcell/format/entity_format.h"
 #include "workcell/format/guide_format.h"
@@ -274,10 +275,50 @@ class Finder {
   std::vector<workcell::Command> commands_;
 };
 
+void renumber(workcell::Command& command, const std::map<EntityId, EntityId>& ids) {
+  const auto change = [&ids](EntityId& id) {
+    if (const auto found = ids.find(id); found != ids.end()) id = found->second;
+  };
+  std::visit(
+      [&change](auto& kind) {
+        if constexpr (requires { kind.id; }) change(kind.id);
+        if constexpr (requires { kind.to; }) change(kind.to);
+      },
+      command);
+}
+
 }  // namespace
 
 Expected<std::vector<workcell::Command>> commandsBetween(const DocumentState& now, const DocumentState& wanted) {
   return Finder(now, wanted).run();
+}
+
+Expected<void> executeCommands(DocumentModel& model, const QString& text, const std::vector<workcell::Command>& commands) {
+  const auto is_add = [](const workcell::Command& one) { return std::holds_alternative<workcell::AddEntity>(one); };
+  const auto last_add = std::find_if(commands.rbegin(), commands.rend(), is_add);
+  const std::vector<workcell::Command> first(commands.begin(), last_add.base());
+  std::vector<workcell::Command> rest(last_add.base(), commands.end());
+  EntityId next = 1;
+  for (const auto& entity : model.document().state().entities) next = std::max(next, entity->id + 1);
+  model.endTrial();
+  model.beginStep(text);
+  bool done = first.empty() || model.executeWithin(first);
+  std::map<EntityId, EntityId> ids;
+  for (const workcell::Command& command : first) {
+    if (!done || !is_add(command)) continue;
+    const Entity* const added = model.document().findByName(std::get<workcell::AddEntity>(command).entity.name);
+    ids[next++] = added == nullptr ? 0 : added->id;
+  }
+  for (workcell::Command& command : rest) renumber(command, ids);
+  done = done && (rest.empty() || model.executeWithin(rest));
+  if (done) {
+    model.endStep();
+    return {};
+  }
+  model.cancelStep();
+  return makeError({.place = "the cell",
+                    .found = "a change that no commands of the window make",
+                    .expected = "changes by the methods of the cell"});
 }
 
 }  // namespace hapticell::app

@@ -35,7 +35,7 @@ TEST(PythonConsole, AddsRobotsAndTakesPartsAway) {
   ConsolePage page;
   page.addPart("box:0.1,0.1,0.1", "part");
   ASSERT_TRUE(page.start());
-  page.type("cell.remove('part'); cell.add('library:scara', name='arm'); cell.set_joints('arm', [0.1, 0.2, 0.05, 0.3])");
+  page.type("cell.remove('part'); cell.add('library:abb_irb120_3_58', name='arm'); cell.set_joints('arm', [0.1, 0.2, 0.05, 0.3, 0.4, 0.5])");
   page.key(Qt::Key_Return);
   ASSERT_TRUE(page.isReady());
   ASSERT_TRUE(page.hasSteps(2)) << page.printed().toStdString();
@@ -127,7 +127,7 @@ TEST(PythonConsole, AnEndlessLoopIsInterruptedAndTheWindowWorksMeanwhile) {
 TEST(PythonConsole, WhatDoesNotHeedTheInterruptIsEndedByTheSecond) {
   ConsolePage page;
   ASSERT_TRUE(page.start());
-  page.type("exec('while True:\\n try:\\n  while True: pass\\n except KeyboardInterrupt: print(\"no\", flush=True)')");
+  page.type("exec('import time\\nwhile True:\\n try:\\n  time.sleep(9)\\n except KeyboardInterrupt: print(\"no\", flush=True)')");
   page.key(Qt::Key_Return);
   ASSERT_TRUE(page.until([&] { return page.state().contains("Running"); }, ConsolePage::kPython));
   ConsolePage::rest(300);
