@@ -112,7 +112,7 @@ class Console(Case):
         self.assertEqual(self.interpreter.run("kept")[1], "1\n")
 
     def test_endless_printing_can_be_interrupted(self):
-        self.interpreter.say(do="run", source="while True: print('x' * 1000)")
+        self.interpreter.say(do="run", source="while True: print('x' * 1000)\n")
         for _ in range(20):
             self.interpreter.hear()
         self.interpreter.process.send_signal(signal.SIGINT)
