@@ -182,7 +182,7 @@ TEST(PythonConsole, WhatWasRecordedDoesTheSameAgain) {
   page.addPart("box:1,1,0.1", "ta\"ble");
   auto id = [&](const char* name) { return page.document().document().findByName(name)->id; };
   ASSERT_TRUE(page.document().execute(
-      workcell::SetPlacement{id("part"), {{0.1, -0.2, 0.3}, glm::normalize(dquat(0.9, 0.1, 0.2, 0.3))}}));
+      workcell::SetPlacement{id("part"), {{0.1, -0.2, 0.3}, dquat(0.5, 0.5, 0.5, 0.5)}}));
   workcell::SetProperties properties;
   properties.id = id("part");
   properties.color = {0.25f, 0.5f, 0.75f};
