@@ -5,10 +5,11 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
+#include <string>
 #include <utility>
 
 #include "config/user_folders.h"
+#include "geometry/system/atomic_file.h"
 
 namespace hapticell::app {
 
@@ -58,12 +59,10 @@ void ConsoleHistory::read() {
 void ConsoleHistory::write() const {
   if (file_.isEmpty()) return;
   if (!config::makeOwnFolder(QFileInfo(file_).path().toStdString())) return;
-  QSaveFile file(file_);
-  if (!file.open(QIODevice::WriteOnly)) return;
-  file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+  std::string text;
   for (const QString& entry : entries_)
-    file.write(QJsonDocument(QJsonArray{entry}).toJson(QJsonDocument::Compact) + '\n');
-  file.commit();
+    text += QJsonDocument(QJsonArray{entry}).toJson(QJsonDocument::Compact).toStdString() + '\n';
+  (void)writeFileAtomically(file_.toStdString(), text);  // A history that is not kept stops nobody.
 }
 
 }  // namespace hapticell::app

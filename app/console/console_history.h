@@ -6,7 +6,8 @@
 
 namespace hapticell::app {
 
-/// What was typed, kept over sessions in a file (JSON, one line an entry), readable by the user only. GUI thread.
+/// What was typed, kept over sessions in a file (JSON, one line an entry) in a folder that is the
+/// user's only. GUI thread.
 class ConsoleHistory {
  public:
   /// Entries that are kept. Half, twice: as well.

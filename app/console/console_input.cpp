@@ -32,7 +32,7 @@ ConsoleInput::ConsoleInput(ConsoleHistory& history, QWidget* parent) : QPlainTex
 QSize ConsoleInput::sizeHint() const {
   const int lines = std::clamp(blockCount(), 1, kMostLines);
   const int margin = 2 * (frameWidth() + static_cast<int>(document()->documentMargin()));
-  return {200, lines * fontMetrics().lineSpacing() + margin};
+  return {200, lines * fontMetrics().lineSpacing() + margin + 4};  // The style pads its frame by two pixels a side.
 }
 
 QSize ConsoleInput::minimumSizeHint() const {

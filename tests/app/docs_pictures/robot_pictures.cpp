@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the docks of robots.
-#include <QLabel>
-#include <QPlainTextEdit>
 #include <QTableView>
 
 #include "app/studies/study_panel.h"
@@ -54,40 +52,11 @@ void study(const PictureTask& task) {
   page.keep();
 }
 
-/// Statements typed into the console: what they print, and a row of parts that they have added.
-void pythonConsole(const PictureTask& task) {
-  PicturePage page(task, Stylus::kNone);
-  ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
-  page.look({2.45, -1.85, 1.85}, {0.72, 0.1, 0.80});
-  page.activate();
-  page.trigger("actionPythonConsole");
-  auto* field = page.find<QPlainTextEdit>("fieldConsoleInput");
-  auto* state = page.find<QLabel>("labelConsoleState");
-  auto* output = page.find<QPlainTextEdit>("textConsoleOutput");
-  ASSERT_TRUE(field != nullptr && state != nullptr && output != nullptr);
-  const auto ready = [&] { return state->text().contains("ready"); };
-  ASSERT_TRUE(PicturePage::until(ready, PicturePage::kPatience)) << output->toPlainText().toStdString();
-  const auto run = [&](const QString& statement, const QString& expected) {
-    QTest::keyClicks(field, statement);
-    QTest::keyClick(field, Qt::Key_Return);
-    return PicturePage::until([&] { return output->toPlainText().contains(expected) && ready(); }, PicturePage::kPatience);
-  };
-  ASSERT_TRUE(run("cell", "<Workcell"));
-  ASSERT_TRUE(run("[len(cell.robot('robot').ik_all(cell.robot('robot').fk()))]", "\n["));
-  const auto steps = page.document().undoTexts().size();
-  ASSERT_TRUE(run("cell.add('sphere:0.06', name='ball', pose=[0.55, -0.35, 1.0, 1, 0, 0, 0])", "['ball']"));
-  ASSERT_TRUE(PicturePage::until([&] { return page.document().undoTexts().size() > steps; }, PicturePage::kPatience));
-  ASSERT_TRUE(run("cell.move('bal', None)", "no entity is named 'bal'"));
-  ASSERT_TRUE(run("cell.distances('ball', 0.5)", "\n>>> cell.distances"));
-  page.keep();
-}
-
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
   return {{"robot-configurations", {1300, 731}, "dockRobot", configurations, {1600, 900}},
           {"robot-library", {345, 980}, "dockAddRobot", library},
-          {"python-console", {1300, 731}, "dockPythonConsole", pythonConsole, {1600, 900}},
           {"study", {1600, 1000}, "dockStudyResults", study}};
 }
 
