@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "feel/figure_job.h"
+#include "feel/stop_of_thread.h"
 #include "geometry/system/text_case.h"
 
 namespace hapticell::feel {
@@ -69,7 +70,11 @@ void runAll(const std::vector<FigureJob>& jobs, const BenchmarkOptions& options,
       const std::lock_guard<std::mutex> lock(telling);
       options.progress(jobs[i].ids.front() + " " + jobs[i].scene);
     }
-    answers[i] = jobs[i].run();
+    const StopOfThread stop(options.stop);
+    try {
+      answers[i] = jobs[i].run();
+    } catch (const MeasurementStopped&) {  // runBenchmark() says so.
+    }
   };
   std::atomic<std::size_t> next{0};
   const auto work = [&] {

@@ -18,7 +18,7 @@ struct BenchmarkOptions {
   bool timing = false;           ///< Also what is measured by the wall clock: M7, M11.
   std::vector<Part> parts = {};  ///< Also felt, for M13: steps are only reported; energy and penetration have limits.
   std::function<void(const std::string& what)> progress = {};  ///< Called by one thread at a time.
-  const std::atomic<bool>* stop = nullptr;  ///< Once true, no further measurement begins. Null: never.
+  const std::atomic<bool>* stop = nullptr;  ///< Once true, it ends within a moment. Null: never.
 };
 
 /// Runs the benchmark of docs/dev/feel.md, in virtual time but for `timing`; the same build gives the same figures.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "feel/feel_session.h"
 
+#include "feel/stop_of_thread.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -97,6 +99,7 @@ void FeelSession::forgetFigures() {
 }
 
 void FeelSession::tick(bool measured) {
+  endWhereStopped();
   device_.advance(kTick);
   const haptic::MetricVector force_before = wantedForce();
   // What pulls do is theirs: the account is of the coupling (docs/dev/feel.md, Energy account).

@@ -13,6 +13,10 @@
         <translation><numerusform>%1 in %n frame</numerusform><numerusform>%1 in %n frames</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n action(s) written as a script: %1</source>
+        <translation><numerusform>%n action written as a script: %1</numerusform><numerusform>%n actions written as a script: %1</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n are hidden.</source>
         <translation><numerusform>%n is hidden.</numerusform><numerusform>%n are hidden.</numerusform></translation>
     </message>

@@ -1687,6 +1687,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1° · %2</translation>
     </message>
     <message numerus="yes">
+        <source>%n action(s) written as a script: %1</source>
+        <translation><numerusform>%n action écrite dans un script : %1</numerusform><numerusform>%n actions écrites dans un script : %1</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n are hidden.</source>
         <translation><numerusform>%n est cachée.</numerusform><numerusform>%n sont cachées.</numerusform></translation>
     </message>
@@ -4551,6 +4555,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Finir l'essai</translation>
     </message>
     <message>
+        <source>Ends what runs (Ctrl+C in the field); a second time, ends the interpreter</source>
+        <translation>Termine ce qui s’exécute (Ctrl+C dans le champ) ; une seconde fois, termine l’interpréteur</translation>
+    </message>
+    <message>
         <source>English</source>
         <translation>Anglais</translation>
     </message>
@@ -5783,6 +5791,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Installez la version de HaptiCell qui les a produits.</translation>
     </message>
     <message>
+        <source>Interrupt</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
         <source>Invert the wheel</source>
         <translation>Inverser la molette</translation>
     </message>
@@ -6005,6 +6017,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Largest mass with felt inertia</source>
         <translation>Plus grande masse à inertie sentie</translation>
+    </message>
+    <message>
+        <source>Last actions as a script</source>
+        <translation>Dernières actions en script</translation>
     </message>
     <message>
         <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %7, smoothness %6 % of the expert's.</source>
@@ -6827,6 +6843,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
+        <source>No Python</source>
+        <translation>Pas de Python</translation>
+    </message>
+    <message>
         <source>No action needed.</source>
         <translation>Rien à faire.</translation>
     </message>
@@ -7147,6 +7167,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien ne bouge avant votre accord.</translation>
     </message>
     <message>
+        <source>Nothing was changed in the cell, so there is no script.</source>
+        <translation>Rien n’a été modifié dans la cellule, il n’y a donc pas de script.</translation>
+    </message>
+    <message>
         <source>Nothing was saved. Use --unchecked to save the code without a connection.</source>
         <translation>Rien n'a été enregistré. Utilisez --unchecked pour enregistrer le code sans connexion.</translation>
     </message>
@@ -7385,6 +7409,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Open the file</source>
         <translation>Ouvrir le fichier</translation>
+    </message>
+    <message>
+        <source>Open the folder of scripts</source>
+        <translation>Ouvrir le dossier des scripts</translation>
     </message>
     <message>
         <source>Open the study's cell.</source>
@@ -8127,6 +8155,42 @@ Voulez-vous le remplacer ?</translation>
         <translation>Placez le dossier du paquet à côté du fichier ou au-dessus, ou indiquez son emplacement dans ROS_PACKAGE_PATH.</translation>
     </message>
     <message>
+        <source>Python %1, ready</source>
+        <translation>Python %1, prêt</translation>
+    </message>
+    <message>
+        <source>Python (*.py);;All files (*)</source>
+        <translation>Python (*.py);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Python cannot be started: %1</source>
+        <translation>Impossible de démarrer Python : %1</translation>
+    </message>
+    <message>
+        <source>Python console</source>
+        <translation>Console Python</translation>
+    </message>
+    <message>
+        <source>Python is not installed. Install the packages python3 and python3-hapticell.</source>
+        <translation>Python n’est pas installé. Installez les paquets python3 et python3-hapticell.</translation>
+    </message>
+    <message>
+        <source>Python starts…</source>
+        <translation>Python démarre…</translation>
+    </message>
+    <message>
+        <source>Python to run</source>
+        <translation>Python à exécuter</translation>
+    </message>
+    <message>
+        <source>Python, with the open cell as “cell”</source>
+        <translation>Python, avec la cellule ouverte sous le nom « cell »</translation>
+    </message>
+    <message>
+        <source>Python: %1</source>
+        <translation>Python : %1</translation>
+    </message>
+    <message>
         <source>Quantity of the curves</source>
         <translation>Grandeur des courbes</translation>
     </message>
@@ -8329,6 +8393,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Record %1</source>
         <translation>Capturer %1</translation>
+    </message>
+    <message>
+        <source>Record actions</source>
+        <translation>Enregistrer les actions</translation>
     </message>
     <message>
         <source>Record by</source>
@@ -8691,6 +8759,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Essai %1</translation>
     </message>
     <message>
+        <source>Run a script</source>
+        <translation>Exécuter un script</translation>
+    </message>
+    <message>
+        <source>Run a script…</source>
+        <translation>Exécuter un script…</translation>
+    </message>
+    <message>
         <source>Run ros2 topic echo again with --full-length (-f).</source>
         <translation>Relancez ros2 topic echo avec --full-length (-f).</translation>
     </message>
@@ -8701,6 +8777,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Run the study again: the row was changed, or made by another kind of processor.</source>
         <translation>Relancez l'étude : la ligne a été modifiée, ou produite par un autre type de processeur.</translation>
+    </message>
+    <message>
+        <source>Running…</source>
+        <translation>En cours…</translation>
     </message>
     <message>
         <source>Runs: %1, the last with %2 points</source>
@@ -8915,8 +8995,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vis</translation>
     </message>
     <message>
+        <source>Script %1</source>
+        <translation>Script %1</translation>
+    </message>
+    <message>
         <source>Script of the job</source>
         <translation>Script de la tâche</translation>
+    </message>
+    <message>
+        <source>Scripts</source>
+        <translation>Scripts</translation>
     </message>
     <message>
         <source>Search</source>
@@ -9484,7 +9572,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Stop recording</source>
-        <translation>Arrêter l'enregistrement</translation>
+        <translation>Arrêter l’enregistrement</translation>
     </message>
     <message>
         <source>Stop recording  (R)</source>
@@ -9707,6 +9795,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La souris 3D déplace la vue</translation>
     </message>
     <message>
+        <source>The Python package of HaptiCell cannot be used: %1. Install the package python3-hapticell.</source>
+        <translation>Le paquet Python de HaptiCell ne peut pas être utilisé : %1. Installez le paquet python3-hapticell.</translation>
+    </message>
+    <message>
         <source>The TCP of %1 is at the gripper's finger tips</source>
         <translation>Le TCP de %1 est au bout des doigts de la pince</translation>
     </message>
@@ -9747,6 +9839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
     <message>
+        <source>The cell is as it was; names that you had set are gone. A new one starts.</source>
+        <translation>La cellule est inchangée ; les noms que vous aviez définis sont perdus. Un nouvel interpréteur démarre.</translation>
+    </message>
+    <message>
         <source>The cell is empty</source>
         <translation>La cellule est vide</translation>
     </message>
@@ -9761,6 +9857,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The cell still shows the old version. Reloading keeps placements, names and colours.</source>
         <translation>La cellule montre encore l'ancienne version. Places, noms et couleurs restent au rechargement.</translation>
+    </message>
+    <message>
+        <source>The cell was changed in the window while Python ran, so what Python changed is not taken. Run it again.</source>
+        <translation>La cellule a été modifiée dans la fenêtre pendant l’exécution de Python, ce que Python a modifié n’est donc pas repris. Exécutez-le de nouveau.</translation>
     </message>
     <message>
         <source>The cell was changed or saved, so the run was cancelled. The part is back in its place.</source>
@@ -9953,6 +10053,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The inner radius must be smaller than the outer one</source>
         <translation>Le rayon intérieur doit être plus petit que le rayon extérieur</translation>
+    </message>
+    <message>
+        <source>The interpreter crashed.</source>
+        <translation>L’interpréteur s’est arrêté sur une erreur fatale.</translation>
+    </message>
+    <message>
+        <source>The interpreter ended (exit status %1).</source>
+        <translation>L’interpréteur s’est terminé (code de sortie %1).</translation>
+    </message>
+    <message>
+        <source>The interpreter was ended, because what ran did not heed the interrupt.</source>
+        <translation>L’interpréteur a été terminé, car ce qui s’exécutait n’a pas réagi à l’interruption.</translation>
     </message>
     <message>
         <source>The job has ended; its results are merged.</source>
@@ -10201,6 +10313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The scene</source>
         <translation>La scène</translation>
+    </message>
+    <message>
+        <source>The scripts are in %1.</source>
+        <translation>Les scripts sont dans %1.</translation>
     </message>
     <message>
         <source>The second stylus was disconnected. Choose it again to start it.</source>
@@ -11003,6 +11119,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poids, ou une force divisée par 9,81</translation>
     </message>
     <message>
+        <source>What Python changed is not taken into the cell: %1</source>
+        <translation>Ce que Python a modifié n’est pas repris dans la cellule : %1</translation>
+    </message>
+    <message>
+        <source>What Python printed</source>
+        <translation>Ce que Python a affiché</translation>
+    </message>
+    <message>
         <source>What answers at %1 is not a haptic server of this release, or one that wants a key (hapticell-cli pair).</source>
         <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version, ou en est un qui exige une clé (hapticell-cli pair).</translation>
     </message>
@@ -11185,6 +11309,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Write the values of the frames into the program, or split the program by frame.</source>
         <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
+    </message>
+    <message>
+        <source>Write what you do to the cell from now on as a script</source>
+        <translation>Écrire dans un script ce que vous faites désormais dans la cellule</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -11493,6 +11621,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a chain that ends at an independent joint</source>
         <translation>un axe indépendant au bout de la chaîne</translation>
+    </message>
+    <message>
+        <source>a change that no commands of the window make</source>
+        <translation>une modification qu’aucune commande de la fenêtre ne fait</translation>
     </message>
     <message>
         <source>a channel of schema %1, which is not declared</source>
@@ -14055,6 +14187,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>changée</translation>
     </message>
     <message>
+        <source>changes by the methods of the cell</source>
+        <translation>des modifications par les méthodes de la cellule</translation>
+    </message>
+    <message>
         <source>changes to the included model</source>
         <translation>des changements du modèle inclus</translation>
     </message>
@@ -14421,6 +14557,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>excluded</source>
         <translation>exclu</translation>
+    </message>
+    <message>
+        <source>exit status %1</source>
+        <translation>code de sortie %1</translation>
     </message>
     <message>
         <source>expected %1</source>
@@ -17537,6 +17677,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the capabilities are missing</source>
         <translation>pas de caractéristiques</translation>
+    </message>
+    <message>
+        <source>the cell</source>
+        <translation>la cellule</translation>
     </message>
     <message>
         <source>the cell has no robot</source>

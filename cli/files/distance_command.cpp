@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/command_listener.h"
 #include "cli/files/file_commands.h"
 #include "cli/kit/timing.h"
 #include "collision/queries/contact_regions.h"
@@ -118,8 +119,9 @@ ExitStatus runDistance(const DistanceOptions& options, const ResultWriter& write
   const double limit =
       options.safety_zone ? std::max(zone, collision::kTouchingDistance) : std::numeric_limits<double>::infinity();
   const collision::Scene& scene = (*prepared)->scene;
-  const collision::PoseBatch batch =
-      collision::nearestAtPoses(scene, (*prepared)->moving, *poses, {limit, options.until_contact, options.jobs});
+  const collision::PoseBatch batch = collision::nearestAtPoses(
+      scene, (*prepared)->moving, *poses, {limit, options.until_contact, options.jobs, stopFlag()});
+  stopWhereAsked();
   ordered_json results = ordered_json::array();
   Timing timing;
   bool any_contact = false;

@@ -9,6 +9,10 @@ thread_local CommandListener* listener_of_thread = nullptr;
 
 }  // namespace
 
+const std::atomic<bool>* stopFlag() {
+  return listener_of_thread == nullptr ? nullptr : &listener_of_thread->stopAsked();
+}
+
 CommandListener* commandListener() {
   return listener_of_thread;
 }

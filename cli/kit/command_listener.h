@@ -52,6 +52,9 @@ struct Stopped : std::exception {
   const char* what() const noexcept override { return "stopped"; }
 };
 
+/// What the listener of this thread sets when it asks to stop, for work that looks for it by itself; null without one.
+const std::atomic<bool>* stopFlag();
+
 /// Ends the command by Stopped if the listener of this thread asked for it. Long loops call it; without a listener it
 /// does nothing, since a signal ends hapticell-cli.
 void stopWhereAsked();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/kit/command_listener.h"
 #include "cli/robot/free_inverse.h"
 
 #include "cli/kit/result_writer.h"
@@ -89,7 +90,9 @@ Expected<FreeInverseAnswer> solveFree(const FreeInverseOptions& options, const s
   batch_options.clearance = options.clearance;
   batch_options.until_missing = options.until_missing;
   batch_options.threads = options.jobs;
+  batch_options.stop = stopFlag();
   const auto batch = manipulation::freeInverse(std::move(scene), (*robot)->id, *poses, batch_options, {});
+  stopWhereAsked();
   HAPTICELL_TRY(batch);
   FreeInverseAnswer answer;
   ordered_json results = ordered_json::array();

@@ -36,6 +36,7 @@ PoseBatch nearestAtPoses(const Scene& scene, PartIndex part, std::span<const Pos
     const std::size_t end = std::min(poses.size(), (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) {
       if (options.until_contact && i > first_contact) return;
+      if (options.stop != nullptr && *options.stop) return;
       const auto begin = Clock::now();
       own.setPose(part, poses[i]);
       batch.nearest[i] = own.nearest(options.limit);

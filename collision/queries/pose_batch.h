@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <span>
@@ -15,6 +16,8 @@ struct PoseBatchOptions {
   double limit = std::numeric_limits<double>::infinity();  ///< m; pairs from here on are not reported.
   bool until_contact = false;                              ///< Poses after the first one in contact are left out.
   int threads = 0;                                         ///< At most so many; 0: one a core.
+  /// Once true, no further pose is measured, and the answers are not complete. Null: never.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Answers of a batch, in the order of the poses.

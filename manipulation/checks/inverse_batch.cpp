@@ -77,6 +77,7 @@ Expected<InverseBatch> freeInverse(std::shared_ptr<const PreparedScene> scene, w
     const std::size_t end = std::min(poses.size(), (block + 1) * kInverseBlock);
     for (std::size_t i = block * kInverseBlock; i < end; ++i) {
       if (options.until_missing && i > first_missing) return;
+      if (options.stop != nullptr && *options.stop) return;
       batch.answers[i] = freeSolutions(**inverse, own, poses[i], start, options.clearance);
       if (!batch.answers[i].isFree()) lowerTo(first_missing, i);
     }

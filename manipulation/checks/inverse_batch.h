@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -38,6 +39,8 @@ struct InverseBatchOptions {
   RestContacts at_rest = RestContacts::kLeaveOut;
   bool until_missing = false;      ///< Poses after the first one without a free solution are left out.
   int threads = 0;                 ///< At most so many; 0: one a core.
+  /// Once true, no further pose is solved, and the answers are not complete. Null: never.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct InverseBatch {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <cmath>
 #include <optional>
 
@@ -71,7 +72,9 @@ py::list freeInverse(const Workcell& cell, const std::string& robot, py::handle 
   if (!start.is_none()) options.start = numbersOf(start, -1, "start");
   const auto scene = cell.prepared();
   std::optional<Expected<manipulation::InverseBatch>> batch;
-  runLong([&] { batch = manipulation::freeInverse(scene, id, X_BT, options, {}); }, [] {});
+  std::atomic<bool> stop{false};
+  options.stop = &stop;
+  runLong([&] { batch = manipulation::freeInverse(scene, id, X_BT, options, {}); }, [&] { stop = true; });
   py::list answers;
   for (const auto& answer : valueOf(std::move(*batch)).answers) {
     py::array_t<double> solutions({answer.free.size(), scene->find(id)->robot()->dof()});

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
 
@@ -90,15 +91,17 @@ py::array distances(Scene& self, std::size_t number, py::handle poses, double li
   const std::vector<Pose> X_WP = posesOf(poses);
   std::vector<BatchRow> rows;
   rows.reserve(X_WP.size());
-  constexpr std::size_t kPiece = 1 << 16;  // Poses between two looks at signals: a second. Half and twice: the same.
-  for (std::size_t begin = 0; begin < X_WP.size(); begin += kPiece) {
-    const std::size_t count = std::min(kPiece, X_WP.size() - begin);
-    {
-      const py::gil_scoped_release unlocked;
-      const auto batch = collision::nearestAtPoses(scene, 0, {X_WP.data() + begin, count}, {limit, false, threads});
-      for (const auto& nearest : batch.nearest) rows.push_back(rowOf(scene, nearest, limit));
-    }
-    checkSignals();
+  std::atomic<bool> stop{false};
+  const auto measure = [&] {
+    const auto batch = collision::nearestAtPoses(scene, 0, X_WP, {limit, false, threads, &stop});
+    for (const auto& nearest : batch.nearest) rows.push_back(rowOf(scene, nearest, limit));
+  };
+  constexpr std::size_t kFew = 256;  // Poses that take some ms at most, less than a thread's start is worth. Half: the same.
+  if (X_WP.size() <= kFew) {
+    const py::gil_scoped_release unlocked;
+    measure();
+  } else {
+    runLong(measure, [&] { stop = true; });
   }
   return structuredArray(std::move(rows), {{"distance", "f8", offsetof(BatchRow, distance)},
                                            {"other", "i4", offsetof(BatchRow, other)},

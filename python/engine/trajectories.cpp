@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -112,7 +113,9 @@ trajectory::Retimed retime(const Trajectory& self, py::handle velocity, py::hand
     if (!jerk.is_none()) options.limits.jerk = numbersOf(jerk, -1, "jerk");
   }
   std::optional<Expected<trajectory::Retimed>> made;
-  runLong([&] { made = trajectory::retimed(self, options); }, [] {});
+  std::atomic<bool> stop{false};
+  options.stop = &stop;
+  runLong([&] { made = trajectory::retimed(self, options); }, [&] { stop = true; });
   return valueOf(std::move(*made));
 }
 

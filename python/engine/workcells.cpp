@@ -66,6 +66,23 @@ std::unique_ptr<Workcell> open(py::object file) {
   return cell;
 }
 
+/// For the console: the cell is that of the window from now on, without a history; shapes that are known are not read
+/// again.
+void takeDocument(Workcell& self, const std::string& text, const std::string& folder, const std::string& path) {
+  Diagnostics diagnostics;
+  workcell::ImportMonitor monitor;
+  workcell::LoadOptions options;
+  options.monitor = &monitor;
+  options.keep_unloaded = true;
+  options.known = &self.document.state();
+  std::optional<Expected<workcell::Document>> read;
+  runLong([&] { read = workcell::parseDocument(text, folder, path, diagnostics, options); }, [&] { monitor.cancel(); });
+  workcell::Document document = valueOf(std::move(*read));
+  document.continueAfter(self.document);
+  document.setPath(path);
+  self.document = std::move(document);
+}
+
 void save(Workcell& self, const py::object& file) {
   const std::filesystem::path path = file.is_none() ? self.document.path() : std::filesystem::path(pathOf(file));
   if (path.extension() != ".hcell")
@@ -350,6 +367,15 @@ void bindWorkcells(py::module_& module) {
             valueOf(writeFileAtomically(path, workcell::documentText(self.document.state(), path.parent_path())));
           },
           py::arg("file"))
+      .def(
+          "_document_text",
+          [](const Workcell& self, const std::string& folder) {
+            return workcell::documentText(self.document.state(), folder);
+          },
+          py::arg("folder"))
+      .def("_take_document", &takeDocument, py::arg("text"), py::arg("folder"), py::arg("path"))
+      .def_property_readonly("_revision", [](const Workcell& self) { return self.document.revision(); })
+      .def_property_readonly("_in_step", [](const Workcell& self) { return self.document.inCompound(); })
       .def("convert", &convert, py::arg("file"), "Writes STEP, glTF, STL, OBJ, PLY, OFF, or the one robot as URDF.")
       .def("add", &add, py::arg("what"), py::arg("name") = "", py::arg("pose") = py::none(),
            py::arg("unit") = py::none(), py::arg("merge") = false, py::arg("progress") = py::none(),

@@ -184,6 +184,9 @@ class Retimer {
     std::vector<double> places;  ///< Way run at each sample.
   };
 
+  bool isStopped() const { return options_.stop != nullptr && *options_.stop; }
+  static Error stopped() { return {.found = "stopped before its end", .fix = "Start it again."}; }
+
   Expected<void> check() const {
     if (moving_.size() < 2 || (moving_.size() == 2 && stands()))
       return makeError({.place = "frames", .found = "fewer than two different frames", .expected = "a motion"});
@@ -259,6 +262,7 @@ class Retimer {
   }
 
   Expected<Part> partOf(const Piece& piece) const {
+    if (isStopped()) return makeError(stopped());
     Part part;
     part.first = piece.first;
     part.frames = pieceOf(moving_, piece);
@@ -344,6 +348,7 @@ class Retimer {
         // One part alone is given its own step, so that nothing is slowed; several share it.
         const double dt = pieces_.size() == 1 ? duration / static_cast<double>(count) : step;
         samplePart(part, count, dt);
+        if (isStopped()) return makeError(stopped());
         if (options_.mode != TimingMode::kTimeOptimal) break;
         use = useOfFrames(part.samples, dt, options_.limits, by_);
         const double factor = stretchFor({use.velocity / kFullUse, use.acceleration / kFullUse, use.jerk / kFullUse});
@@ -367,6 +372,7 @@ class Retimer {
     std::size_t before = 0;
     const auto& ways = part.ways;
     for (std::size_t i = 0; i <= count; ++i) {
+      if (isStopped()) return;
       const double t = static_cast<double>(i) * dt;
       const double u = i == count ? ways.back() : timing.way(t);
       while (before + 2 < ways.size() && ways[before + 1] < u) ++before;
@@ -392,7 +398,7 @@ class Retimer {
     std::vector<std::size_t> missed;
     for (const Part& part : pieces_) {
       const SegmentDistance distance(part.frames, part.samples, options_.tolerance);
-      for (std::size_t k = 1; k + 1 < part.frames.size(); ++k) {
+      for (std::size_t k = 1; k + 1 < part.frames.size() && !isStopped(); ++k) {
         const auto after = std::upper_bound(part.places.begin(), part.places.end(), part.ways[k]);
         const auto at = static_cast<std::size_t>(after - part.places.begin());
         Deviation nearest{{1e300, 1e300}, 1e300};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "geometry/system/error.h"
@@ -26,6 +27,8 @@ struct RetimingOptions {
   double sample_s = 0.01;  ///< Between the frames of the result; shorter if the tolerance requires it.
   /// How close the result passes each given frame, with straight segments between its own frames.
   PathTolerance tolerance{5e-5, 2e-4, 2e-4};
+  /// Once true, the work ends with an error. Null: never.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct RetimingReport {

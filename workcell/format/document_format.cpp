@@ -94,7 +94,15 @@ Levels levelsOf(const std::unordered_map<std::string, std::string>& above, int m
 class StateReader {
  public:
   StateReader(const fs::path& folder, Diagnostics& diagnostics, const LoadOptions& options)
-      : folder_(folder), loader_(folder, true, options.monitor), diagnostics_(diagnostics), options_(options) {}
+      : folder_(folder), loader_(folder, true, options.monitor), diagnostics_(diagnostics), options_(options) {
+    if (options.known == nullptr) return;
+    for (const auto& entity : options.known->entities) {
+      if (entity->unloaded) continue;
+      Json json = jsonFromEntity(*entity, folder);
+      known_shapes_.try_emplace(shapeKey(json), entity.get());
+      known_.try_emplace(std::move(json), entity.get());
+    }
+  }
 
   Expected<DocumentState> read(const Json& json) {
     FieldReader fields(json, Text("the document"), error_);
@@ -123,6 +131,37 @@ class StateReader {
   }
 
  private:
+  /// What the shape of an entity comes of; empty: nothing that could be known.
+  static std::string shapeKey(const Json& json) {
+    std::string key;
+    for (const char* part : {"kind", "source", "mechanism"}) {
+      if (const auto found = json.find(part); found != json.end()) key += found->dump() + "\n";
+    }
+    return key;
+  }
+
+  /// An entity with the shape that this one comes of; null: it must be read.
+  const Entity* knownShape(const Json& json) const {
+    if (options_.known == nullptr) return nullptr;
+    const auto found = known_shapes_.find(shapeKey(json));
+    return found == known_shapes_.end() ? nullptr : found->second;
+  }
+
+  /// Only what comes of its source: the rest is in the text.
+  static Entity asRead(const Entity& known) {
+    Entity fresh;
+    fresh.source = known.source;
+    fresh.body = known.body;
+    if (known.mesh()) fresh.editSolid().proxy = {};
+    if (known.robot()) {
+      Jointed& jointed = fresh.editJointed();
+      jointed.tools.clear();
+      jointed.tool.clear();
+      jointed.named_poses.clear();
+    }
+    return fresh;
+  }
+
   struct Hanging {
     std::size_t index;  ///< Among the entities.
     Attachment attachment;
@@ -195,14 +234,18 @@ class StateReader {
     if (!mechanism && !assembly) fields.require("source");
     if (const Json* source = fields.object("source")) sources_.read(*source, place, head.source);
     if (error_) return;
+    if (const auto same = known_.find(json); same != known_.end()) return addHanging(fields, place, *same->second);
     if (assembly) {
       head.body = Assembly{};
       if (!head.source.path.empty()) head.source.path = (folder_ / head.source.path).lexically_normal().string();
       if (head.source.scale == 0.0) head.source.scale = 1.0;
       return addEntity(fields, place, std::move(head));
     }
-    Expected<Entity> loaded = mechanism ? mechanismFromJson(*mechanism, head.name, place, context_, sources_)
-                                        : loader_.loadSource(head.source, diagnostics_);
+    const Entity* known = knownShape(json);
+    Expected<Entity> loaded = known ? asRead(*known)
+                              : mechanism
+                                  ? mechanismFromJson(*mechanism, head.name, place, context_, sources_)
+                                  : loader_.loadSource(head.source, diagnostics_);
     if (!loaded && options_.keep_unloaded) return keepUnloaded(json, fields, place, head, loaded.error());
     if (!loaded) return context_.failIn(place, loaded.error());
     loaded->name = head.name;
@@ -250,6 +293,10 @@ class StateReader {
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
     if (const auto near = checkReach(entity); !near) diagnostics_.warn(near.error().text());
+    addHanging(fields, place, std::move(entity));
+  }
+
+  void addHanging(FieldReader& fields, const Text& place, Entity entity) {
     // What it hangs on may stand further down in the file.
     Attachment attachment;
     std::swap(attachment, entity.attachment);
@@ -449,6 +496,8 @@ class StateReader {
   std::vector<Hanging> attachments_;
   std::unordered_map<std::string, std::size_t> index_;  // Of the entities, by name.
   std::unordered_set<std::string> in_circle_;           // One of each circle of parents.
+  std::map<Json, const Entity*> known_;                 // By their text.
+  std::map<std::string, const Entity*> known_shapes_;   // By shapeKey().
 };
 
 }  // namespace

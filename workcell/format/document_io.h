@@ -31,6 +31,9 @@ struct LoadOptions {
   bool keep_unloaded = false;
   /// Receives those entities; may be null.
   std::vector<UnloadedEntity>* unloaded = nullptr;
+  /// A state whose shapes may be used instead of reading them again, where the text says that they come of the same
+  /// source: for a text that was made from it a moment ago. Null: everything is read.
+  const DocumentState* known = nullptr;
   /// Gets the progress of reading and decides whether to continue; may be null.
   ImportMonitor* monitor = nullptr;
 };
