@@ -140,9 +140,10 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   const Pose X_TM = space_->toolAt(view.standing).inverse() * view.X_WM;
   // What a robot's hand moves must be its tool: else the joints that are planned would not be those that follow.
   if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6)
-    return fail(Failure::Kind::kStart, "a robot can be planned for only while it is moved by its tool (TCP)");
+    return fail(Failure::Kind::kStart,
+                Text("a robot can be planned for only while it is moved by its tool (TCP)"));
   const auto start = freeStart(view.standing);
-  if (!start) return fail(Failure::Kind::kStart, "there is no room around the place where it is");
+  if (!start) return fail(Failure::Kind::kStart, Text("there is no room around the place where it is"));
   Problem problem;
   problem.scene = view.scene;
   problem.entity = view.entity;

@@ -85,7 +85,7 @@ QString PlanControl::sentence() const {
 
 QString planSentence(const PlanFacts& facts) {
   if (!facts.has_target) return QObject::tr("No goal yet. Choose where the entity should go.");
-  if (!facts.on) return QObject::tr("%1 should go to: %2. Press Start.").arg(facts.entity, facts.target);
+  if (!facts.on) return QObject::tr("%1 should go to: %2. Press Start planner.").arg(facts.entity, facts.target);
   if (!facts.held) return QObject::tr("Hold %1: the planner works while you hold it.").arg(facts.entity);
   if (facts.felt.reached) return QObject::tr("%1 is at the goal.").arg(facts.entity);
   if (facts.felt.insists) return QObject::tr("Following your hand: the planner looks for a way on from there.");

@@ -29,7 +29,7 @@ class PlanControl {
   ~PlanControl();
 
   const std::optional<Target>& target() const { return target_; }
-  /// Sets where to go; a planner that works begins anew. None: stops.
+  /// Sets where to go; a planner that works begins again. None: stops.
   void setTarget(std::optional<Target> target);
   bool isOn() const { return planner_ != nullptr; }
   /// Does nothing without a target.
@@ -52,7 +52,7 @@ class PlanControl {
   double clearance_ = 0.0;  ///< m, of the planner that works.
 };
 
-/// What of a planner's work is told.
+/// What of a planner's work is shown.
 struct PlanFacts {
   bool on = false;           ///< It was started.
   bool has_target = false;

@@ -189,7 +189,7 @@ void PlanSection::draw() {
   std::vector<SceneCurve> curves;
   const auto& way = controller_.snapshot().plan.way;
   if (plan.isOn() && way) {
-    SceneCurve line{{}, SceneCurve::Role::kMeasure, SceneCurve::Style::kSolid, 3.0, {}};
+    SceneCurve line{{}, SceneCurve::Role::kGuide, SceneCurve::Style::kSolid, 3.0, {}};
     for (const Pose& X_WM : way->X_WM) line.points_W.push_back(X_WM.p);
     curves.push_back(std::move(line));
   }

@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 60000;  // ms.
+constexpr int kWaits = 60000;  // ms.
 
 /// A box behind a wall, and a frame on the other side of the wall; the stylus follows the mouse.
 class PlanPage : public ServerFirst, public CellPage {
@@ -31,7 +31,7 @@ class PlanPage : public ServerFirst, public CellPage {
     auto* entity = find<QComboBox>("comboEntity");
     entity->setCurrentIndex(entity->findText("box"));
     emit entity->activated(entity->currentIndex());
-    EXPECT_TRUE(until([this] { return window().snapshot() && now().stylus.connected; }, kPatience));
+    EXPECT_TRUE(until([this] { return window().snapshot() && now().stylus.connected; }, kWaits));
   }
   const manipulation::SceneSnapshot& now() { return *window().snapshot(); }
   void chooseGoal(const QString& name) {
@@ -51,12 +51,12 @@ class PlanPage : public ServerFirst, public CellPage {
     send(QEvent::MouseMove, Qt::NoButton, Qt::NoButton);
     trigger("actionFollow");
     send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
-    EXPECT_TRUE(until([this] { return now().stylus.held == box; }, kPatience));
+    EXPECT_TRUE(until([this] { return now().stylus.held == box; }, kWaits));
     send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton);
   }
   QString state() { return find<QLabel>("labelPlanState")->text(); }
   bool says(const QString& words) {
-    return until([&] { return state().contains(words); }, kPatience);
+    return until([&] { return state().contains(words); }, kWaits);
   }
   workcell::EntityId wall = 0, seat = 0, box = 0;
 };
@@ -80,13 +80,13 @@ TEST(PlanWindow, FindsAWayWhileTheBoxIsHeldAndShowsWhatActs) {
   auto* slider = page.find<QSlider>("sliderPlanAuthority");
   auto* bar = page.find<QProgressBar>("barPlanAuthority");
   slider->setValue(50);
-  EXPECT_TRUE(WindowPage::until([&] { return page.now().plan.authority == 0.5; }, kPatience));
-  EXPECT_TRUE(WindowPage::until([&] { return bar->value() > 0 && bar->value() <= 50; }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return page.now().plan.authority == 0.5; }, kWaits));
+  EXPECT_TRUE(WindowPage::until([&] { return bar->value() > 0 && bar->value() <= 50; }, kWaits));
   EXPECT_EQ(page.find<QLabel>("labelPlanAuthority")->text(), "50 %");
   slider->setValue(0);
-  EXPECT_TRUE(WindowPage::until([&] { return bar->value() == 0; }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return bar->value() == 0; }, kWaits));
   page.press("buttonPlanStart");
-  EXPECT_TRUE(WindowPage::until([&] { return page.now().plan.way == nullptr; }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return page.now().plan.way == nullptr; }, kWaits));
   EXPECT_TRUE(page.says("Press Start"));
 }
 
