@@ -102,6 +102,7 @@ void FeelSession::tick(bool measured) {
   endWhereStopped();
   device_.advance(kTick);
   const haptic::MetricVector force_before = wantedForce();
+  const dvec3 load_before = result_.load_D;
   // What pulls do is theirs: the account is of the coupling (docs/dev/feel.md, Energy account).
   const double wanted = glm::length(result_.force_D);
   const double share = wanted > 0.0 ? std::min(1.0, glm::length(safety_result_.force_D) / wanted) : 1.0;
@@ -133,7 +134,7 @@ void FeelSession::tick(bool measured) {
   X_DSBefore_ = reading.X_DS;
   if (measured) {
     energy_.note(time_);
-    measure(reading, force_before);
+    measure(reading, force_before, load_before);
   }
   time_ += kTick;
 }
@@ -142,7 +143,9 @@ haptic::MetricVector FeelSession::wantedForce() const {
   return together(result_.force_D, result_.torque_D);
 }
 
-void FeelSession::measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before) {
+void FeelSession::measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before,
+                          const dvec3& load_before) {
+  figures_.pull_step_n = std::max(figures_.pull_step_n, glm::length(result_.load_D - load_before));
   figures_.force_max = std::max(figures_.force_max, glm::length(safety_result_.force_D));
   figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP, time_));
   figures_.round_penetration = std::max(figures_.round_penetration, scene_.roundPenetration(result_.X_DP, time_));

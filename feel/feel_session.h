@@ -27,6 +27,7 @@ struct SessionSetup {
 /// What a session measured; the names of the benchmark (docs/dev/feel.md).
 struct FeelFigures {
   double step_n = 0.0;       ///< M1: largest change of the wanted force in a millisecond, N, before the slew limit.
+  double pull_step_n = 0.0;  ///< The same of load and pulls alone, at all times, N.
   double penetration = 0.0;  ///< Of what is displayed (the proxy), m.
   double round_penetration = 0.0;  ///< See FeelScene::roundPenetration(), m.
   double depth_error_p95 = 0.0;    ///< Part of the exact depth.
@@ -74,7 +75,8 @@ class FeelSession {
 
  private:
   void tick(bool measured);
-  void measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before);
+  void measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before,
+               const dvec3& load_before);
   haptic::MetricVector wantedForce() const;
 
   const FeelScene& scene_;

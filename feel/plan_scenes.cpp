@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene under the pull of a planner that changes its mind ten times a second.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -14,6 +15,9 @@ namespace {
 
 /// s that a plan lasts: ten a second, the figure of the aim. Half and twice: twice and half the changes.
 constexpr double kPlanPeriod = 0.1;
+/// s in which the pull comes in at first, as the share of FeltPlan does. At once: it presses a hinge while the force
+/// itself is still coming in, and the coupling yields; twice: the same figures.
+constexpr double kComesIn = 1.0;
 
 /// What `of` is, and at full authority the pull of a way that begins at the proxy; every tenth of a second another one,
 /// in any direction. The target jumps: nothing but the renderer takes the jump out (in a session the target runs).
@@ -25,7 +29,7 @@ class PlannedScene final : public FeelScene {
     ConstraintSet set = of_->setAt(X_DP, t);
     std::uint32_t group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;
     const dvec3 target = X_DP.p + manipulation::kPlanLead * directionAt(t);
-    for (Constraint& row : manipulation::planPull(X_DP, target, 1.0, {})) {
+    for (Constraint& row : manipulation::planPull(X_DP, target, std::min(1.0, t / kComesIn), {})) {
       row.group = group++;
       add(set, row);
     }

@@ -571,6 +571,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à sa butée supérieure</translation>
     </message>
     <message>
+        <source>%1 is at the goal.</source>
+        <translation>%1 est au but.</translation>
+    </message>
+    <message>
         <source>%1 is empty</source>
         <translation>un %1 vide</translation>
     </message>
@@ -977,6 +981,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 short</source>
         <translation>manque %1</translation>
+    </message>
+    <message>
+        <source>%1 should go to: %2. Press Start planner.</source>
+        <translation>%1 doit aller à : %2. Appuyez sur Démarrer le planificateur.</translation>
     </message>
     <message>
         <source>%1 since %2</source>
@@ -1745,6 +1753,10 @@ Voulez-vous le remplacer ?</translation>
     <message numerus="yes">
         <source>%n variant(s)</source>
         <translation><numerusform>%n variante</numerusform><numerusform>%n variantes</numerusform></translation>
+    </message>
+    <message>
+        <source>%p %</source>
+        <translation>%p %</translation>
     </message>
     <message>
         <source>&amp;Add to Custom Colors</source>
@@ -2815,6 +2827,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accès pour la maintenance</translation>
     </message>
     <message>
+        <source>Acts now</source>
+        <translation>Agit</translation>
+    </message>
+    <message>
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
@@ -3197,6 +3213,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Attached to %1 of %2</source>
         <translation>Attaché à %1 de %2</translation>
+    </message>
+    <message>
+        <source>Authority</source>
+        <translation>Autorité</translation>
     </message>
     <message>
         <source>Authority of a planner beside the hand</source>
@@ -4995,6 +5015,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Suivre %1.</translation>
     </message>
     <message>
+        <source>Following your hand: the planner looks for a way on from there.</source>
+        <translation>Suit votre main : le planificateur cherche un chemin à partir de là.</translation>
+    </message>
+    <message>
         <source>Follows</source>
         <translation>Suit</translation>
     </message>
@@ -5299,6 +5323,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aller au début</translation>
     </message>
     <message>
+        <source>Goal</source>
+        <translation>But</translation>
+    </message>
+    <message>
+        <source>Goal: here</source>
+        <translation>But : ici</translation>
+    </message>
+    <message>
         <source>Good</source>
         <translation>Bonne</translation>
     </message>
@@ -5563,6 +5595,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenir</translation>
     </message>
     <message>
+        <source>Hold %1: the planner works while you hold it.</source>
+        <translation>Tenez %1 : le planificateur travaille tant que vous le tenez.</translation>
+    </message>
+    <message>
         <source>Hold an entity with the stylus, move it and feel what it touches</source>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
@@ -5605,6 +5641,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>How much of the last selected part the mannequin sees</source>
         <translation>Ce que le mannequin voit de la dernière pièce choisie</translation>
+    </message>
+    <message>
+        <source>How strongly the way is felt. 0 %: it is only drawn</source>
+        <translation>Force avec laquelle le chemin est ressenti. 0 % : il est seulement dessiné</translation>
     </message>
     <message>
         <source>Hu&amp;e:</source>
@@ -6899,6 +6939,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune image</translation>
     </message>
     <message>
+        <source>No goal yet. Choose where the entity should go.</source>
+        <translation>Pas encore de but. Choisissez où l'entité doit aller.</translation>
+    </message>
+    <message>
         <source>No guides yet</source>
         <translation>Pas encore de guide</translation>
     </message>
@@ -7065,6 +7109,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No way out was found for %1.</source>
         <translation>Aucun chemin de sortie n'a été trouvé pour %1.</translation>
+    </message>
+    <message>
+        <source>No way yet: %1.</source>
+        <translation>Pas encore de chemin : %1.</translation>
     </message>
     <message>
         <source>None</source>
@@ -7477,6 +7525,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Out of balance by %1</source>
         <translation>Hors d'équilibre de %1</translation>
+    </message>
+    <message>
+        <source>Out of the cell</source>
+        <translation>Hors de la cellule</translation>
     </message>
     <message>
         <source>Outer radius</source>
@@ -7953,6 +8005,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Plane at %1</source>
         <translation>Plan en %1</translation>
+    </message>
+    <message>
+        <source>Planner beside the hand</source>
+        <translation>Planificateur à côté de la main</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -9495,6 +9551,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Page d'accueil</translation>
     </message>
     <message>
+        <source>Start planner</source>
+        <translation>Démarrer le planificateur</translation>
+    </message>
+    <message>
         <source>Start the run</source>
         <translation>Commencer l'essai</translation>
     </message>
@@ -9569,6 +9629,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stop before it</source>
         <translation>S'arrêter avant</translation>
+    </message>
+    <message>
+        <source>Stop planner</source>
+        <translation>Arrêter le planificateur</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -10051,6 +10115,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'entité tenue reste en place. Dès qu’un serveur répond, Ctrl+Espace remet les efforts en marche.</translation>
     </message>
     <message>
+        <source>The held entity, or the one chosen above, should go to the goal in the list</source>
+        <translation>L'entité tenue, ou celle choisie plus haut, doit aller au but de la liste</translation>
+    </message>
+    <message>
         <source>The inner radius must be smaller than the outer one</source>
         <translation>Le rayon intérieur doit être plus petit que le rayon extérieur</translation>
     </message>
@@ -10205,6 +10273,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The pelvis stays on the seat, which carries the body</source>
         <translation>Le bassin reste sur le siège, qui porte le corps</translation>
+    </message>
+    <message>
+        <source>The planner looks for a way.</source>
+        <translation>Le planificateur cherche un chemin.</translation>
     </message>
     <message>
         <source>The posture is saved</source>
@@ -10711,6 +10783,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pavé tactile</translation>
     </message>
     <message>
+        <source>Towards this goal</source>
+        <translation>Vers ce but</translation>
+    </message>
+    <message>
         <source>Train on a motion…</source>
         <translation>S'exercer sur un mouvement…</translation>
     </message>
@@ -10793,6 +10869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Tube</source>
         <translation>Tube</translation>
+    </message>
+    <message>
+        <source>Turn forces on to feel it.</source>
+        <translation>Activez les forces pour le ressentir.</translation>
     </message>
     <message>
         <source>Turns the eyes towards the last selected part, as far as they go</source>
@@ -11107,6 +11187,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chemin</translation>
     </message>
     <message>
+        <source>Way found, %1 clearance.</source>
+        <translation>Chemin trouvé, distance de %1.</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <translation>Poids</translation>
     </message>
@@ -11125,6 +11209,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What Python printed</source>
         <translation>Ce que Python a affiché</translation>
+    </message>
+    <message>
+        <source>What acts now: it falls while you push out of the way, and comes back with a new way</source>
+        <translation>Ce qui agit : cela baisse quand vous poussez hors du chemin, et revient avec un nouveau chemin</translation>
     </message>
     <message>
         <source>What answers at %1 is not a haptic server of this release, or one that wants a key (hapticell-cli pair).</source>
@@ -11177,6 +11265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>When</source>
         <translation>Quand</translation>
+    </message>
+    <message>
+        <source>Where the entity is now becomes the goal: move it there, press, and move it back</source>
+        <translation>La place actuelle de l'entité devient le but : amenez-la là, appuyez, et ramenez-la</translation>
     </message>
     <message>
         <source>Where the stylus is plugged in and its haptic server runs</source>
@@ -12701,6 +12793,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot attached to a moving link of a mechanism or robot that is not locked</source>
         <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
+    </message>
+    <message>
+        <source>a robot can be planned for only while it is moved by its tool (TCP)</source>
+        <translation>un robot ne peut être planifié que s'il est déplacé par son outil (TCP)</translation>
     </message>
     <message>
         <source>a robot file, or library:NAME</source>
@@ -18523,6 +18619,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'emplacement de ce programme est inconnu</translation>
     </message>
     <message>
+        <source>the place that you showed</source>
+        <translation>la place que vous avez montrée</translation>
+    </message>
+    <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
@@ -18888,7 +18988,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>there is no room around the place where it is</source>
-        <translation>il n'y a pas de place autour de l'endroit où il se trouve</translation>
+        <translation>il n'y a pas de place autour de l'endroit où il est</translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>

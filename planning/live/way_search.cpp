@@ -50,15 +50,15 @@ std::vector<EntityConfiguration> thinned(const std::vector<EntityConfiguration>&
 
 }  // namespace
 
-bool WaySearch::prepare(const manipulation::PlanView& view) {
-  if (view.scene == scene_ && view.entity == entity_ && space_) return true;
+Expected<void> WaySearch::prepare(const manipulation::PlanView& view) {
+  if (view.scene == scene_ && view.entity == entity_ && space_) return {};
   scene_ = view.scene;
   entity_ = view.entity;
   space_.reset();
   auto made = FreeSpace::create(view.scene, view.entity, configuration_, view.placements);
-  if (!made) return false;
+  HAPTICELL_TRY(made);
   space_.emplace(std::move(*made));
-  return true;
+  return {};
 }
 
 /// The start itself, or a place near it that keeps the clearance and can be reached from it.
@@ -129,18 +129,21 @@ void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const 
 WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::atomic<bool>* stop) {
   Found found;
   found.answers = view.insistences;
-  if (!prepare(view)) return found;
+  const auto fail = [&found](Failure::Kind kind, Text reason) {
+    Failure& failure = found.result.failure.emplace();
+    failure.kind = kind;
+    failure.reason = std::move(reason);
+    return found;
+  };
+  if (const auto prepared = prepare(view); !prepared) return fail(Failure::Kind::kStart, prepared.error().text());
   ++searches_;
   const Pose X_TM = space_->toolAt(view.standing).inverse() * view.X_WM;
   // What a robot's hand moves must be its tool: else the joints that are planned would not be those that follow.
-  if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6) return found;
+  if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6)
+    return fail(Failure::Kind::kStart,
+                Text("a robot can be planned for only while it is moved by its tool (TCP)"));
   const auto start = freeStart(view.standing);
-  if (!start) {
-    Failure& failure = found.result.failure.emplace();
-    failure.kind = Failure::Kind::kStart;
-    failure.reason = Text("there is no room around the place where it is");
-    return found;
-  }
+  if (!start) return fail(Failure::Kind::kStart, Text("there is no room around the place where it is"));
   Problem problem;
   problem.scene = view.scene;
   problem.entity = view.entity;
@@ -172,7 +175,7 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
     planned = plan(problem, *space_);
     if (planned) planned->checks += before;
   }
-  if (!planned) return found;
+  if (!planned) return fail(Failure::Kind::kStart, planned.error().text());
   found.result = std::move(*planned);
   if (!found.result.plan) return found;
   std::vector<EntityConfiguration> waypoints = found.result.plan->waypoints;

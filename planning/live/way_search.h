@@ -32,7 +32,7 @@ class WaySearch {
   const FreeSpace* space() const { return space_ ? &*space_ : nullptr; }
 
  private:
-  bool prepare(const manipulation::PlanView& view);
+  Expected<void> prepare(const manipulation::PlanView& view);
   std::optional<EntityConfiguration> freeStart(const EntityConfiguration& at);
   std::optional<Pose> passedByHand(const manipulation::PlanView& view, const EntityConfiguration& start);
   std::vector<EntityConfiguration> hintsFor(const manipulation::PlanView& view) const;

@@ -71,10 +71,11 @@ TEST(Benchmark, EntersNoToothOfARack) {
 
 /// A plan that changes ten times a second, in any direction, at the greatest authority.
 TEST(Benchmark, AChangingPlanIsNotFeltAsJumps) {
-  for (const char* scene : {"flat wall, changing plan", "corner of three planes, changing plan"}) {
+  for (const char* scene : {"flat wall, changing plan", "corner of three planes, changing plan",
+                            "hinge with stop, changing plan"}) {
     const auto figures = runBenchmark(only(scene));
     ASSERT_TRUE(figures.has_value());
-    ASSERT_EQ(figures->size(), 18U) << "M1 to M4 at three rates";
+    ASSERT_EQ(figures->size(), 21U) << "M1 to M4 and the pull at three rates";
     for (const Figure& figure : *figures)
       EXPECT_TRUE(figure.pass()) << figure.id << " " << figure.rate << ": " << figure.value;
   }

@@ -53,7 +53,8 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
       second_(*this),
       inputs_(*this, second_),
       feed_(*this),
-      forces_(*this) {
+      forces_(*this),
+      plan_(*this) {
   clock_.start();
   connect(preparation_, &PreparationBar::cancelled, this, [this] {
     if (loop_) loop_->cancelPreparation();
@@ -171,6 +172,7 @@ void VirtualDesktopController::postSettings() {
   loop_->post(command::SetForceClass{settings_.force_class});
   const FreeAxes& free = settings_.free;
   loop_->post(command::SetFilter{free.translates(), free.rotates(), free.moves, free.turns});
+  plan_.post();
   second_.postSettings();
   updateStrip();
 }

@@ -16,6 +16,7 @@
 #include "app/virtual_desktop/module/input_control.h"
 #include "app/virtual_desktop/module/loop_feed.h"
 #include "app/virtual_desktop/module/mouse_hand.h"
+#include "app/virtual_desktop/module/plan_control.h"
 #include "app/virtual_desktop/module/second_stylus_control.h"
 #include "app/virtual_desktop/module/station_server.h"
 #include "app/virtual_desktop/module/stylus_link.h"
@@ -88,6 +89,8 @@ class VirtualDesktopController : public QObject {
   /// Releases what is held; it stays where it is.
   void letGo();
   MouseStylus& mouse() { return mouse_.stylus(); }
+  /// The planner beside the hand.
+  PlanControl& plan() { return plan_; }
   const manipulation::SceneSnapshot& snapshot() const { return snapshot_; }
   double guiRate() const;
 
@@ -135,6 +138,7 @@ class VirtualDesktopController : public QObject {
   DeviceLister lister_;
   LoopFeed feed_;
   ForceState forces_;
+  PlanControl plan_;
   TwoPens pens_{mouse_.stylus(), second_.mouse()};
   VirtualDesktopSettings settings_;
   manipulation::SceneSnapshot snapshot_;

@@ -12,6 +12,7 @@
 #include "app/virtual_desktop/module/feel_section.h"
 #include "app/virtual_desktop/module/force_section.h"
 #include "app/virtual_desktop/module/held_section.h"
+#include "app/virtual_desktop/module/plan_section.h"
 #include "app/virtual_desktop/module/rate_section.h"
 #include "app/virtual_desktop/module/virtual_desktop_controller.h"
 #include "app/virtual_desktop/module/workspace_section.h"
@@ -30,6 +31,7 @@ VirtualDesktopPanel::VirtualDesktopPanel(Host& host, VirtualDesktopController& c
   held_ = new HeldSection(host, controller, *column, this);
   axes_ = new AxesSection(host, controller, *column, this);
   feel_ = new FeelSection(host, controller, *column, this);
+  plan_ = new PlanSection(host, controller, *column, this);
   workspace_ = new WorkspaceSection(controller, *column, this);
   rates_ = new RateSection(host, controller, *column, this);
   column->addStretch(1);
@@ -61,6 +63,7 @@ void VirtualDesktopPanel::showChecks(DeviceCheckPanel& checks) const {
 void VirtualDesktopPanel::showSnapshot() {
   forces_->show();
   axes_->showScale();
+  plan_->show();
   workspace_->show();
   device_->showSecond();
   rates_->show();
@@ -70,6 +73,7 @@ void VirtualDesktopPanel::showSettings() {
   held_->showSettings();
   axes_->showSettings();
   feel_->showSettings();
+  plan_->listGoals();
   forces_->show();
 }
 

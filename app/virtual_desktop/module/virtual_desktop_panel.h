@@ -12,6 +12,7 @@ class FeelSection;
 class ForceSection;
 class HeldSection;
 class Host;
+class PlanSection;
 class RateSection;
 class VirtualDesktopController;
 class WorkspaceSection;
@@ -41,6 +42,7 @@ class VirtualDesktopPanel : public QWidget {
   HeldSection* held_;
   AxesSection* axes_;
   FeelSection* feel_;
+  PlanSection* plan_;
   WorkspaceSection* workspace_;
   RateSection* rates_;
 };
