@@ -24,6 +24,7 @@
 #include "app/panels/cell/solid_panel.h"
 #include "app/panels/cell/workcell_panel.h"
 #include "app/panels/collisions/collisions_panel.h"
+#include "app/planning/planning_docks.h"
 #include "app/robot/robot_docks.h"
 #include "app/studies/studies_docks.h"
 #include "app/style/dock_title_bar.h"
@@ -110,6 +111,7 @@ void addPanels(Host& host) {
   addMannequinDocks(host);
   addErgonomicsDocks(host);
   addEditDocks(host);
+  addPlanningDocks(host);
   addStudiesDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);

@@ -823,6 +823,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres, ou un quaternion qui n'est pas unitaire</translation>
     </message>
     <message>
+        <source>%1 numbers, separated by semicolons</source>
+        <translation>%1 nombres, séparés par des points-virgules</translation>
+    </message>
+    <message>
         <source>%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels</source>
         <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
     </message>
@@ -2443,6 +2447,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0.1, 0.2, … en mètres</translation>
     </message>
     <message>
+        <source>0; -90; 90; 0; 0; 0 (degrees, mm)</source>
+        <translation>0; -90; 90; 0; 0; 0 (degrés, mm)</translation>
+    </message>
+    <message>
         <source>1 damaged entry (%1)</source>
         <translation>1 entrée endommagée (%1)</translation>
     </message>
@@ -2749,6 +2757,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
+    </message>
+    <message>
+        <source>A recording began meanwhile, so the path was not added. Stop it, then plan again.</source>
+        <translation>Un enregistrement a commencé entre-temps : le chemin n’a pas été ajouté. Arrêtez-le, puis planifiez de nouveau.</translation>
+    </message>
+    <message>
+        <source>A recording runs. Stop it first, then plan.</source>
+        <translation>Un enregistrement est en cours. Arrêtez-le d’abord, puis planifiez.</translation>
     </message>
     <message>
         <source>A report of the crash was saved on this computer</source>
@@ -5275,6 +5291,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aller au début</translation>
     </message>
     <message>
+        <source>Goal</source>
+        <translation>But</translation>
+    </message>
+    <message>
         <source>Good</source>
         <translation>Bonne</translation>
     </message>
@@ -6015,6 +6035,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Jeu minimal</translation>
     </message>
     <message>
+        <source>Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.</source>
+        <translation>Plus petit écart %1 mm %2. Longueur %3 mm, %4 s, graine %5.</translation>
+    </message>
+    <message>
         <source>Leave one of the two files out.</source>
         <translation>Laissez de côté l'un des deux fichiers.</translation>
     </message>
@@ -6197,6 +6221,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Logo</source>
         <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Longest time</source>
+        <translation>Durée maximale</translation>
     </message>
     <message>
         <source>Look as far as</source>
@@ -6489,6 +6517,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move it there</source>
         <translation>Le mettre là</translation>
+    </message>
+    <message>
+        <source>Move it to the goal, click here, then move it back to where the path begins.</source>
+        <translation>Placez-le au but, cliquez ici, puis ramenez-le là où le chemin commence.</translation>
     </message>
     <message>
         <source>Move joints of %1</source>
@@ -6941,6 +6973,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No other joint</source>
         <translation>Pas d'autre articulation</translation>
+    </message>
+    <message>
+        <source>No path was planned</source>
+        <translation>Aucun chemin n’a été planifié</translation>
     </message>
     <message>
         <source>No placement suits all four mannequins.</source>
@@ -7403,6 +7439,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hors d'équilibre de %1</translation>
     </message>
     <message>
+        <source>Out of the cell</source>
+        <translation>Hors de la cellule</translation>
+    </message>
+    <message>
         <source>Outer radius</source>
         <translation>Rayon extérieur</translation>
     </message>
@@ -7675,6 +7715,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chemin d'un enregistrement</translation>
     </message>
     <message>
+        <source>Path, seed %1</source>
+        <translation>Chemin, graine %1</translation>
+    </message>
+    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -7871,12 +7915,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Placement dans le monde</translation>
     </message>
     <message>
+        <source>Plan</source>
+        <translation>Planifier</translation>
+    </message>
+    <message>
+        <source>Plan a path</source>
+        <translation>Planifier un chemin</translation>
+    </message>
+    <message>
+        <source>Plan a path…</source>
+        <translation>Planifier un chemin…</translation>
+    </message>
+    <message>
         <source>Plane</source>
         <translation>Plan</translation>
     </message>
     <message>
         <source>Plane at %1</source>
         <translation>Plan en %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planification…</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -7949,6 +8009,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Port of the server. Default: 4747</source>
         <translation>Port du serveur. Par défaut : 4747</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -8935,6 +8999,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Voyez hapticell-cli COMMAND --help.</translation>
     </message>
     <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
         <source>Sees</source>
         <translation>Voit</translation>
     </message>
@@ -8945,6 +9013,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Select a bench, a shelf or a fixture; with several mannequins in the cell, also the one that shows the work. Then add the workplace again.</source>
         <translation>Sélectionnez un établi, une étagère ou un posage ; s'il y a plusieurs mannequins dans la cellule, aussi celui qui montre le travail. Puis ajoutez de nouveau le poste.</translation>
+    </message>
+    <message>
+        <source>Select a robot or a solid that shall move.</source>
+        <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
     </message>
     <message>
         <source>Select a row to see it in the scene.</source>
@@ -8973,6 +9045,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Select the parts that can move, and the mannequin if there are several.</source>
         <translation>Sélectionnez les pièces qui peuvent bouger, et le mannequin s'il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <source>Select what blocks</source>
+        <translation>Sélectionner ce qui bloque</translation>
     </message>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
@@ -9587,6 +9663,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
+        <source>Take where it is now</source>
+        <translation>Reprendre la place actuelle</translation>
+    </message>
+    <message>
         <source>Taking the stylus.</source>
         <translation>Prise du stylet.</translation>
     </message>
@@ -9999,6 +10079,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The nearest free place is %1 mm from the goal, at %2; %3; %4 mm.</source>
+        <translation>La place libre la plus proche est à %1 mm du but, en %2 ; %3 ; %4 mm.</translation>
+    </message>
+    <message>
         <source>The newest message also appears in the status bar for 8 seconds.</source>
         <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
     </message>
@@ -10393,6 +10477,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This variant cannot be used</source>
         <translation>Cette variante ne peut pas être utilisée</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Par</translation>
     </message>
     <message>
         <source>Through its eyes</source>
@@ -11717,6 +11805,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a frame of the cell, an entity, or ENTITY/FRAME for a frame of an entity</source>
         <translation>un repère de la cellule, une entité, ou ENTITÉ/REPÈRE pour un repère d'une entité</translation>
+    </message>
+    <message>
+        <source>a frame of the cell, or of a part</source>
+        <translation>un repère de la cellule ou d’une pièce</translation>
     </message>
     <message>
         <source>a function</source>
@@ -14607,6 +14699,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>glTF (*.glb)</translation>
     </message>
     <message>
+        <source>goal</source>
+        <translation>but</translation>
+    </message>
+    <message>
         <source>good, fair or poor</source>
         <translation>good, fair ou poor</translation>
     </message>
@@ -15865,6 +15961,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no folder for temporary files can be created</source>
         <translation>aucun dossier temporaire ne peut être créé</translation>
+    </message>
+    <message>
+        <source>no frame</source>
+        <translation>aucun repère</translation>
     </message>
     <message>
         <source>no frame is called '%1'</source>
