@@ -26,6 +26,7 @@
 #include "app/panels/cell/workcell_panel.h"
 #include "app/panels/collisions/collisions_panel.h"
 #include "app/live/live_dock.h"
+#include "app/planning/planning_docks.h"
 #include "app/robot/robot_docks.h"
 #include "app/studies/studies_docks.h"
 #include "app/style/dock_title_bar.h"
@@ -112,6 +113,7 @@ void addPanels(Host& host) {
   addMannequinDocks(host);
   addErgonomicsDocks(host);
   addEditDocks(host);
+  addPlanningDocks(host);
   addStudiesDocks(host);
   addLiveDock(host);
   addConsoleDock(host);

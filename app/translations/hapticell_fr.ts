@@ -827,6 +827,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres, ou un quaternion qui n'est pas unitaire</translation>
     </message>
     <message>
+        <source>%1 numbers, separated by semicolons</source>
+        <translation>%1 nombres, séparés par des points-virgules</translation>
+    </message>
+    <message>
         <source>%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels</source>
         <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
     </message>
@@ -2459,6 +2463,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0.1, 0.2, … en mètres</translation>
     </message>
     <message>
+        <source>0; -90; 90; 0; 0; 0 (degrees, mm)</source>
+        <translation>0; -90; 90; 0; 0; 0 (degrés, mm)</translation>
+    </message>
+    <message>
         <source>1 damaged entry (%1)</source>
         <translation>1 entrée endommagée (%1)</translation>
     </message>
@@ -2769,6 +2777,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
+    </message>
+    <message>
+        <source>A recording began meanwhile, so the path was not added. Stop it, then plan again.</source>
+        <translation>Un enregistrement a commencé entre-temps : le chemin n’a pas été ajouté. Arrêtez-le, puis planifiez de nouveau.</translation>
+    </message>
+    <message>
+        <source>A recording runs. Stop it first, then plan.</source>
+        <translation>Un enregistrement est en cours. Arrêtez-le d’abord, puis planifiez.</translation>
     </message>
     <message>
         <source>A report of the crash was saved on this computer</source>
@@ -5331,6 +5347,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>But : ici</translation>
     </message>
     <message>
+    </message>
+    <message>
         <source>Good</source>
         <translation>Bonne</translation>
     </message>
@@ -6083,6 +6101,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Jeu minimal</translation>
     </message>
     <message>
+        <source>Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.</source>
+        <translation>Plus petit écart %1 mm %2. Longueur %3 mm, %4 s, graine %5.</translation>
+    </message>
+    <message>
         <source>Leave one of the two files out.</source>
         <translation>Laissez de côté l'un des deux fichiers.</translation>
     </message>
@@ -6273,6 +6295,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Logo</source>
         <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Longest time</source>
+        <translation>Durée maximale</translation>
     </message>
     <message>
         <source>Look as far as</source>
@@ -6569,6 +6595,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move it there</source>
         <translation>Le mettre là</translation>
+    </message>
+    <message>
+        <source>Move it to the goal, click here, then move it back to where the path begins.</source>
+        <translation>Placez-le au but, cliquez ici, puis ramenez-le là où le chemin commence.</translation>
     </message>
     <message>
         <source>Move joints of %1</source>
@@ -7029,6 +7059,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No other joint</source>
         <translation>Pas d'autre articulation</translation>
+    </message>
+    <message>
+        <source>No path was planned</source>
+        <translation>Aucun chemin n’a été planifié</translation>
     </message>
     <message>
         <source>No placement suits all four mannequins.</source>
@@ -7803,6 +7837,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chemin d'un enregistrement</translation>
     </message>
     <message>
+        <source>Path, seed %1</source>
+        <translation>Chemin, graine %1</translation>
+    </message>
+    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -7999,6 +8037,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Placement dans le monde</translation>
     </message>
     <message>
+        <source>Plan</source>
+        <translation>Planifier</translation>
+    </message>
+    <message>
+        <source>Plan a path</source>
+        <translation>Planifier un chemin</translation>
+    </message>
+    <message>
+        <source>Plan a path…</source>
+        <translation>Planifier un chemin…</translation>
+    </message>
+    <message>
         <source>Plane</source>
         <translation>Plan</translation>
     </message>
@@ -8009,6 +8059,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Planner beside the hand</source>
         <translation>Planificateur à côté de la main</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planification…</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -8085,6 +8139,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Port of the server. Default: 4747</source>
         <translation>Port du serveur. Par défaut : 4747</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -9139,6 +9197,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Voyez hapticell-cli COMMAND --help.</translation>
     </message>
     <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
         <source>Sees</source>
         <translation>Voit</translation>
     </message>
@@ -9149,6 +9211,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Select a bench, a shelf or a fixture; with several mannequins in the cell, also the one that shows the work. Then add the workplace again.</source>
         <translation>Sélectionnez un établi, une étagère ou un posage ; s'il y a plusieurs mannequins dans la cellule, aussi celui qui montre le travail. Puis ajoutez de nouveau le poste.</translation>
+    </message>
+    <message>
+        <source>Select a robot or a solid that shall move.</source>
+        <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
     </message>
     <message>
         <source>Select a row to see it in the scene.</source>
@@ -9177,6 +9243,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Select the parts that can move, and the mannequin if there are several.</source>
         <translation>Sélectionnez les pièces qui peuvent bouger, et le mannequin s'il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <source>Select what blocks</source>
+        <translation>Sélectionner ce qui bloque</translation>
     </message>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
@@ -9799,6 +9869,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
+        <source>Take where it is now</source>
+        <translation>Reprendre la place actuelle</translation>
+    </message>
+    <message>
         <source>Taking the stylus.</source>
         <translation>Prise du stylet.</translation>
     </message>
@@ -10239,6 +10313,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The nearest free place is %1 mm from the goal, at %2; %3; %4 mm.</source>
+        <translation>La place libre la plus proche est à %1 mm du but, en %2 ; %3 ; %4 mm.</translation>
+    </message>
+    <message>
         <source>The newest message also appears in the status bar for 8 seconds.</source>
         <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
     </message>
@@ -10645,6 +10723,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This variant cannot be used</source>
         <translation>Cette variante ne peut pas être utilisée</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Par</translation>
     </message>
     <message>
         <source>Through its eyes</source>
@@ -12009,6 +12091,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a frame of the cell, an entity, or ENTITY/FRAME for a frame of an entity</source>
         <translation>un repère de la cellule, une entité, ou ENTITÉ/REPÈRE pour un repère d'une entité</translation>
+    </message>
+    <message>
+        <source>a frame of the cell, or of a part</source>
+        <translation>un repère de la cellule ou d’une pièce</translation>
     </message>
     <message>
         <source>a function</source>
@@ -14919,6 +15005,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>glTF (*.glb)</translation>
     </message>
     <message>
+        <source>goal</source>
+        <translation>but</translation>
+    </message>
+    <message>
         <source>good, fair or poor</source>
         <translation>good, fair ou poor</translation>
     </message>
@@ -16181,6 +16271,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no folder for temporary files can be created</source>
         <translation>aucun dossier temporaire ne peut être créé</translation>
+    </message>
+    <message>
+        <source>no frame</source>
+        <translation>aucun repère</translation>
     </message>
     <message>
         <source>no frame is called '%1'</source>

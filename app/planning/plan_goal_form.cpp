@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/planning/plan_goal_form.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+#include <vector>
+
+#include "app/controls/joint_row.h"
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
+#include "app/host/host.h"
+#include "app/kit/form.h"
+#include "app/style/value_field.h"
+#include "kinematics/model/robot_model.h"
+
+namespace hapticell::app {
+
+namespace {
+
+/// Size of the shown unit of a robot's variable, in rad or m.
+double unitOfVariable(const workcell::Entity& robot, std::size_t variable) {
+  const kinematics::RobotModel& model = *robot.robot();
+  return unitOf(model.joints[static_cast<std::size_t>(model.moving[variable])]);
+}
+
+}  // namespace
+
+PlanGoalForm::PlanGoalForm(Host& host, QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  kind_ = new QComboBox;
+  kind_->setObjectName("choicePlanGoal");
+  kind_->addItems({tr("Pose"), tr("Frame"), tr("Joints"), tr("Out of the cell")});
+  addRow(*column, tr("Goal"), kind_);
+  pose_page_ = new QWidget;
+  auto* rows = new QVBoxLayout(pose_page_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(6);
+  const QString names[] = {"X", "Y", "Z", "A", "B", "C"};
+  for (std::size_t i = 0; i < pose_.size(); ++i) {
+    pose_[i] = new ValueField({i < 3 ? QStringLiteral("mm") : QStringLiteral("°"), 1, -1e6, 1e6, 1.0});
+    pose_[i]->setObjectName("fieldPlan" + names[i]);
+    addRow(*rows, names[i], pose_[i]);
+  }
+  column->addWidget(pose_page_);
+  frame_ = new ReferenceChoice(host, {});
+  frame_->setObjectName("choicePlanFrame");
+  frame_row_ = addRow(*column, tr("Frame"), frame_);
+  joints_ = new QLineEdit;
+  joints_->setObjectName("editPlanJoints");
+  joints_->setPlaceholderText(tr("0; -90; 90; 0; 0; 0 (degrees, mm)"));
+  joints_row_ = addRow(*column, tr("Joints"), joints_);
+  take_ = new QPushButton(tr("Take where it is now"));
+  take_->setObjectName("buttonPlanTake");
+  take_->setToolTip(tr("Move it to the goal, click here, then move it back to where the path begins."));
+  column->addWidget(take_);
+  connect(take_, &QPushButton::clicked, this, &PlanGoalForm::takeWanted);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &PlanGoalForm::showKind);
+  showKind();
+}
+
+void PlanGoalForm::showKind() {
+  const int kind = kind_->currentIndex();
+  pose_page_->setVisible(kind == kPose);
+  frame_row_->setVisible(kind == kFrame);
+  joints_row_->setVisible(kind == kJoints);
+  take_->setVisible(kind == kPose || kind == kJoints);
+}
+
+void PlanGoalForm::take(const workcell::Entity& entity) {
+  const auto numbers = poseNumbers(entity.robot() ? tcpPose_W(entity, entity.X_WE, entity.joints()) : entity.X_WE);
+  for (std::size_t i = 0; i < pose_.size(); ++i) pose_[i]->setValue(numbers[i]);
+  if (!entity.robot()) return;
+  QStringList words;
+  for (std::size_t i = 0; i < entity.joints().size(); ++i)
+    words << QString::number(entity.joints()[i] / unitOfVariable(entity, i), 'f', 3);
+  joints_->setText(words.join("; "));
+}
+
+Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity) const {
+  const int kind = kind_->currentIndex();
+  if (kind == kOut) return planning::Goal(planning::goal::OutOfCell{});
+  if (kind == kFrame) {
+    const auto X_WT = frame_->frame_W();
+    if (X_WT) return planning::Goal(planning::goal::ToPose{*X_WT});
+    return makeError({.place = "goal", .found = "no frame", .expected = "a frame of the cell, or of a part"});
+  }
+  if (kind == kPose) {
+    std::array<double, 6> numbers{};
+    for (std::size_t i = 0; i < pose_.size(); ++i) numbers[i] = pose_[i]->value();
+    return planning::Goal(planning::goal::ToPose{poseFromNumbers(numbers)});
+  }
+  const QStringList words = joints_->text().split(';', Qt::SkipEmptyParts);
+  const std::size_t count = entity.joints().size();
+  std::vector<double> joints;
+  for (const QString& word : words) {
+    bool is_number = false;
+    const double value = word.trimmed().toDouble(&is_number);
+    if (is_number && std::isfinite(value) && joints.size() < count)
+      joints.push_back(value * unitOfVariable(entity, joints.size()));
+  }
+  if (joints.size() != count || static_cast<std::size_t>(words.size()) != count || count == 0)
+    return makeError({.place = "goal",
+                      .found = Text("%1 joints", joints.size()),
+                      .expected = Text("%1 numbers, separated by semicolons", count)});
+  return planning::Goal(planning::goal::ToJoints{std::move(joints)});
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "geometry/system/error.h"
+#include "planning/problem.h"
+#include "workcell/entity/entity.h"
+
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace hapticell::app {
+
+class Host;
+class ReferenceChoice;
+class ValueField;
+
+/// Asks for the goal of a path: a pose, a frame, joints, or out of the cell. GUI thread.
+class PlanGoalForm : public QWidget {
+  Q_OBJECT
+ public:
+  enum Kind { kPose, kFrame, kJoints, kOut };
+  explicit PlanGoalForm(Host& host, QWidget* parent = nullptr);
+
+  /// The goal for an entity. Errors: joints that are no numbers or too few, no frame in the cell, joints for a solid, or
+  /// out of the cell for a robot.
+  Expected<planning::Goal> goal(const workcell::Entity& entity) const;
+
+ signals:
+  void takeWanted();  ///< The place where the entity is now shall be the goal.
+
+ public slots:
+  /// Fills pose and joints from where the entity is now.
+  void take(const hapticell::workcell::Entity& entity);
+
+ private:
+  void showKind();
+  QComboBox* kind_;
+  std::array<ValueField*, 6> pose_{};
+  QWidget *pose_page_, *frame_row_, *joints_row_;
+  ReferenceChoice* frame_;
+  QLineEdit* joints_;
+  QPushButton* take_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/planning/plan_panel.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/controls/reference_choice.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/recording_hub.h"
+#include "app/host/selection.h"
+#include "app/kit/form.h"
+#include "app/planning/plan_goal_form.h"
+#include "app/style/library_text.h"
+#include "app/style/value_field.h"
+
+namespace hapticell::app {
+
+PlanPanel::PlanPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  addSettings(*column);
+  addRun(*column);
+  column->addStretch();
+  connect(&host_.selection(), &Selection::changed, this, &PlanPanel::follow);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, &PlanPanel::refresh);
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    planner_.cancel();
+    id_ = 0;
+    last_.clear();
+    blocker_.clear();
+    refresh();
+  });
+  connect(&planner_, &PathPlanner::progressed, this, &PlanPanel::refresh);
+  connect(&planner_, &PathPlanner::ended, this, &PlanPanel::take);
+  connect(&planner_, &PathPlanner::failed, this, [this](const Error& error) {
+    if (number_ != host_.documentModel().number()) return refresh();
+    last_ = shownText(error);
+    host_.messages().reportCause(Severity::kWarning, tr("No path was planned"), error);
+    refresh();
+  });
+  follow();
+}
+
+void PlanPanel::addSettings(QVBoxLayout& column) {
+  QVBoxLayout* rows = addSection(column, tr("Path"));
+  name_ = makeLabel({}, TextRole::kText);
+  name_->setObjectName("labelPlanEntity");
+  name_->setWordWrap(true);
+  rows->addWidget(name_);
+  goal_ = new PlanGoalForm(host_);
+  rows->addWidget(goal_);
+  connect(goal_, &PlanGoalForm::takeWanted, this, [this] {
+    if (const auto* one = entity()) goal_->take(*one);
+  });
+  through_ = new ReferenceChoice(host_, {tr("Nothing")});
+  through_->setObjectName("choicePlanThrough");
+  addRow(*rows, tr("Through"), through_);
+  const auto field = [&](const char* name, const QString& words, const ValueField::Format& format, double value) {
+    auto* made = new ValueField(format);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setValue(value);
+    addRow(*rows, words, made);
+    return made;
+  };
+  clearance_ = field("fieldPlanClearance", tr("Clearance"), {"mm", 1, 0.0, 10'000.0, 1.0}, 5.0);
+  seed_ = field("fieldPlanSeed", tr("Seed"), {{}, 0, 0.0, 2e9, 1.0}, 1.0);
+  time_ = field("fieldPlanTime", tr("Longest time"), {"s", 0, 1.0, 86'400.0, 1.0}, 10.0);
+}
+
+void PlanPanel::addRun(QVBoxLayout& column) {
+  QVBoxLayout* rows = addSection(column, {});
+  plan_ = new QPushButton(tr("Plan"));
+  plan_->setObjectName("buttonPlanPath");
+  plan_->setProperty("main", true);
+  stop_ = new QPushButton(tr("Stop"));
+  stop_->setObjectName("buttonPlanStop");
+  rows->addWidget(sideBySide({plan_, stop_}));
+  bar_ = new QProgressBar;
+  bar_->setTextVisible(false);
+  bar_->setMaximumHeight(6);
+  rows->addWidget(bar_);
+  says_ = makeLive(7, TextRole::kSecond);
+  says_->setObjectName("labelPlanResult");
+  rows->addWidget(says_);
+  show_blocker_ = new QPushButton(tr("Select what blocks"));
+  show_blocker_->setObjectName("buttonPlanBlocker");
+  rows->addWidget(show_blocker_);
+  connect(plan_, &QPushButton::clicked, this, &PlanPanel::plan);
+  connect(stop_, &QPushButton::clicked, &planner_, &PathPlanner::cancel);
+  connect(show_blocker_, &QPushButton::clicked, this, [this] {
+    const auto* found = host_.documentModel().document().findByName(blocker_);
+    if (found) host_.selection().set(found->id);
+  });
+}
+
+const workcell::Entity* PlanPanel::entity() const {
+  return id_ ? host_.documentModel().document().find(id_) : nullptr;
+}
+
+void PlanPanel::follow() {
+  const workcell::EntityId chosen = host_.selection().current();
+  const auto* found = chosen ? host_.documentModel().document().find(chosen) : nullptr;
+  // What blocks was selected to be seen: the path is still that of the entity before.
+  const bool is_blocker = found && !blocker_.empty() && found->name == blocker_;
+  if (found && !is_blocker && !planner_.isBusy() && chosen != id_) {
+    id_ = chosen;
+    last_.clear();
+    blocker_.clear();
+    goal_->take(*found);
+  }
+  refresh();
+}
+
+void PlanPanel::plan() {
+  const workcell::Entity* one = entity();
+  if (!one || planner_.isBusy()) return;
+  blocker_.clear();
+  const auto goal = goal_->goal(*one);
+  if (!goal) {
+    last_ = shownText(goal.error());
+    return refresh();
+  }
+  if (host_.recording().isRecording()) {
+    last_ = tr("A recording runs. Stop it first, then plan.");
+    return refresh();
+  }
+  last_.clear();
+  number_ = host_.documentModel().number();
+  PathRequest request;
+  request.scenes = host_.scenes();
+  request.configuration = host_.configuration();
+  request.source = manipulation::sourceOf(host_.documentModel().document(),
+                                          manipulation::pairDefaults(host_.configuration()));
+  request.problem.entity = id_;
+  request.problem.goal = *goal;
+  request.problem.clearance = 0.001 * clearance_->value();
+  request.problem.seed = static_cast<std::uint64_t>(seed_->value());
+  request.problem.time_limit_s = time_->value();
+  if (const auto X_WT = through_->frame_W()) request.problem.through.push_back(*X_WT);
+  planner_.start(std::move(request));
+}
+
+void PlanPanel::take(const PathAnswer& answer) {
+  if (number_ != host_.documentModel().number()) return refresh();
+  if (answer.result.failure) {
+    showFailure(*answer.result.failure);
+    return refresh();
+  }
+  if (host_.recording().isRecording()) {
+    last_ = tr("A recording began meanwhile, so the path was not added. Stop it, then plan again.");
+    return refresh();
+  }
+  trajectory::Trajectory motion = *answer.motion;
+  motion.take = tr("Path, seed %1").arg(seed_->value(), 0, 'f', 0).toStdString();
+  last_ = tr("Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.")
+              .arg(1000.0 * answer.clearance, 0, 'f', 1)
+              .arg(shownText(answer.clearance_place))
+              .arg(1000.0 * answer.result.plan->length, 0, 'f', 0)
+              .arg(motion.duration(), 0, 'f', 1)
+              .arg(seed_->value(), 0, 'f', 0);
+  if (!answer.result.note.empty()) last_ += QLatin1Char(' ') + shownText(answer.result.note);
+  host_.recording().deliver({std::move(motion)});
+  refresh();
+}
+
+void PlanPanel::showFailure(const planning::Failure& failure) {
+  last_ = shownText(failure.reason);
+  blocker_ = failure.blocked_by;
+  if (!failure.X_WT_nearest) return;
+  const dvec3 p = 1000.0 * failure.X_WT_nearest->p;
+  last_ += QLatin1Char(' ') + tr("The nearest free place is %1 mm from the goal, at %2; %3; %4 mm.")
+                                  .arg(1000.0 * failure.nearest_distance, 0, 'f', 0)
+                                  .arg(p.x, 0, 'f', 0)
+                                  .arg(p.y, 0, 'f', 0)
+                                  .arg(p.z, 0, 'f', 0);
+}
+
+void PlanPanel::refresh() {
+  const workcell::Entity* one = entity();
+  const bool busy = planner_.isBusy();
+  name_->setText(one ? QString::fromStdString(one->name) : tr("Select a robot or a solid that shall move."));
+  plan_->setEnabled(one && !busy);
+  stop_->setEnabled(busy);
+  goal_->setEnabled(one && !busy);
+  bar_->setValue(static_cast<int>(100.0 * planner_.progress()));
+  says_->setText(busy ? tr("Planning…") : last_);
+  show_blocker_->setEnabled(!blocker_.empty() && host_.documentModel().document().findByName(blocker_));
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "app/planning/path_planner.h"
+#include "workcell/entity/entity.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace hapticell::app {
+
+class Host;
+class LiveLabel;
+class PlanGoalForm;
+class ReferenceChoice;
+class ValueField;
+
+/// Plans a path for the selected robot or solid and adds it to the motions of the document, as a recording is. Shows
+/// its figures, or why there is none. GUI thread.
+class PlanPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PlanPanel(Host& host, QWidget* parent = nullptr);
+
+ private:
+  void addSettings(class QVBoxLayout& column);
+  void addRun(class QVBoxLayout& column);
+  const workcell::Entity* entity() const;
+  void follow();
+  void plan();
+  void take(const PathAnswer& answer);
+  void showFailure(const planning::Failure& failure);
+  void refresh();
+
+  Host& host_;
+  PathPlanner planner_;
+  workcell::EntityId id_ = 0;  ///< What is planned for; stays when what blocks is selected.
+  int number_ = 0;             ///< Of the document that is planned in.
+  QString last_;               ///< How the last plan ended.
+  std::string blocker_;        ///< Name of the entity that blocks; empty: none.
+  QLabel* name_;
+  PlanGoalForm* goal_;
+  ReferenceChoice* through_;
+  ValueField *clearance_, *seed_, *time_;
+  QPushButton *plan_, *stop_, *show_blocker_;
+  QProgressBar* bar_;
+  LiveLabel* says_;
+};
+
+}  // namespace hapticell::app
