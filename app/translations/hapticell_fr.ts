@@ -5347,8 +5347,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>But : ici</translation>
     </message>
     <message>
-    </message>
-    <message>
         <source>Good</source>
         <translation>Bonne</translation>
     </message>
