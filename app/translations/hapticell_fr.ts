@@ -2443,6 +2443,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0.1, 0.2, … en mètres</translation>
     </message>
     <message>
+        <source>0: the hand takes the part itself</source>
+        <translation>0 : la main prend la pièce elle-même</translation>
+    </message>
+    <message>
         <source>1 damaged entry (%1)</source>
         <translation>1 entrée endommagée (%1)</translation>
     </message>
@@ -2803,8 +2807,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accélération</translation>
     </message>
     <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
         <source>Access for maintenance</source>
         <translation>Accès pour la maintenance</translation>
+    </message>
+    <message>
+        <source>Access to %1</source>
+        <translation>Accès à %1</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2959,6 +2971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
+        <source>Along the way</source>
+        <translation>Le long du trajet</translation>
+    </message>
+    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
@@ -3025,6 +3041,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another window controls the stylus; this one observes</source>
         <translation>Une autre fenêtre commande le stylet ; celle-ci observe</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
     </message>
     <message>
         <source>Any</source>
@@ -3587,6 +3607,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez les options pour cette grappe ; le script reste dans le dossier.</translation>
     </message>
     <message>
+        <source>Check the shown way</source>
+        <translation>Vérifier le trajet montré</translation>
+    </message>
+    <message>
         <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
         <translation>Vérifiez l'unité. Si elle est juste, déplacez la pièce à l'origine dans le logiciel de CAO.</translation>
     </message>
@@ -3697,6 +3721,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Chosen step</source>
+        <translation>Étape choisie</translation>
     </message>
     <message>
         <source>Chunks</source>
@@ -4133,6 +4161,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Correct the path, or copy the file to this place.</source>
         <translation>Corrigez le chemin ou placez-y le fichier.</translation>
+    </message>
+    <message>
+        <source>Counts as touching</source>
+        <translation>Compte comme contact</translation>
     </message>
     <message>
         <source>Coupling</source>
@@ -4811,6 +4843,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toucher et fichiers</translation>
     </message>
     <message>
+        <source>Feel it by hand</source>
+        <translation>Sentir à la main</translation>
+    </message>
+    <message>
         <source>Feel of this entity</source>
         <translation>Toucher de cette entité</translation>
     </message>
@@ -4869,6 +4905,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Find a command, panel, button or setting</source>
         <translation>Trouver une commande, un panneau, un bouton, un réglage</translation>
+    </message>
+    <message>
+        <source>Find the way out</source>
+        <translation>Chercher la sortie</translation>
     </message>
     <message>
         <source>Fine</source>
@@ -5695,6 +5735,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>En contact dès le début : %1 et %2</translation>
     </message>
     <message>
+        <source>In its way: %1.</source>
+        <translation>Sur son trajet : %1.</translation>
+    </message>
+    <message>
         <source>In steps of</source>
         <translation>Par pas de</translation>
     </message>
@@ -5811,6 +5855,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il chevauche %1 au repos, plus qu'un simple contact.</translation>
     </message>
     <message>
+        <source>It slides along it for %1.</source>
+        <translation>Elle glisse contre elle sur %1.</translation>
+    </message>
+    <message>
         <source>It stays in the cell until you quit. Export it to keep it.</source>
         <translation>Elle reste dans la cellule jusqu'à la fermeture. Exportez-la pour la garder.</translation>
     </message>
@@ -5903,6 +5951,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>KUKA KRL (.src, .dat)</translation>
     </message>
     <message>
+        <source>Keep as a motion</source>
+        <translation>Garder comme mouvement</translation>
+    </message>
+    <message>
         <source>Keep checking</source>
         <translation>Garder</translation>
     </message>
@@ -5945,6 +5997,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep the stylus button pressed to move</source>
         <translation>Garder le bouton du stylet pressé pour déplacer</translation>
+    </message>
+    <message>
+        <source>Keep the way of %1</source>
+        <translation>Garder le trajet de %1</translation>
     </message>
     <message>
         <source>Kept as written: %1</source>
@@ -6007,12 +6063,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Latin-1 (Europe de l'Ouest)</translation>
     </message>
     <message>
+        <source>Lay earlier parts aside</source>
+        <translation>Poser à côté les précédentes</translation>
+    </message>
+    <message>
+        <source>Lay parts aside</source>
+        <translation>Poser des pièces à côté</translation>
+    </message>
+    <message>
         <source>Layout</source>
         <translation>Disposition</translation>
     </message>
     <message>
         <source>Least clearance</source>
         <translation>Jeu minimal</translation>
+    </message>
+    <message>
+        <source>Least clearance %1, to %2.</source>
+        <translation>Jeu minimal %1, avec %2.</translation>
     </message>
     <message>
         <source>Leave one of the two files out.</source>
@@ -6207,6 +6275,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
+        <source>Looking for ways, hands and persons. The cell stays as it is.</source>
+        <translation>Recherche de trajets, de prises et de personnes. La cellule reste telle quelle.</translation>
+    </message>
+    <message>
         <source>Loop</source>
         <translation>En boucle</translation>
     </message>
@@ -6349,6 +6421,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. To allow it: %2</source>
         <translation>La mémoire n'est pas verrouillée (mlockall : %1) : des cycles peuvent être en retard pendant la lecture de l'espace d'échange. Pour l'autoriser : %2</translation>
+    </message>
+    <message>
+        <source>Men P5, P50, P95</source>
+        <translation>Hommes P5, P50, P95</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -6565,6 +6641,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Moves the guide to the handle of the entity; its direction stays</source>
         <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
+    </message>
+    <message>
+        <source>Moves the parts that go first next to the assembly, as one undo step</source>
+        <translation>Déplace les pièces à retirer d'abord à côté de l'assemblage, en une étape d'annulation</translation>
     </message>
     <message>
         <source>Moving the work %1 farther away</source>
@@ -7023,6 +7103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun chemin de sortie n'a été trouvé pour %1.</translation>
     </message>
     <message>
+        <source>Nobody</source>
+        <translation>Personne</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
@@ -7109,6 +7193,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing is selected. Click a part in the scene or in the tree.</source>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Select the part that is to be taken out in the scene or in the tree.</source>
+        <translation>Rien n'est sélectionné. Sélectionnez la pièce à retirer dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
         <source>Nothing moved, so nothing was recorded.</source>
@@ -7531,6 +7619,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Taille de la page. Ctrl et la molette la changent aussi.</translation>
     </message>
     <message>
+        <source>Pages (*.pdf);;Web pages (*.html);;Tables (*.csv)</source>
+        <translation>Pages (*.pdf);;Pages web (*.html);;Tableaux (*.csv)</translation>
+    </message>
+    <message>
         <source>Pages of the settings</source>
         <translation>Pages des réglages</translation>
     </message>
@@ -7605,6 +7697,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Part to attach</source>
         <translation>Pièce à attacher</translation>
+    </message>
+    <message>
+        <source>Part to take out</source>
+        <translation>Pièce à retirer</translation>
     </message>
     <message>
         <source>Partial scores: %1 not entered. Complete them in Task data…</source>
@@ -8123,6 +8219,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>RULA</translation>
     </message>
     <message>
+        <source>RULA %1, REBA %2.</source>
+        <translation>RULA %1, REBA %2.</translation>
+    </message>
+    <message>
         <source>RULA along the motion, four mannequins</source>
         <translation>RULA le long du mouvement, quatre mannequins</translation>
     </message>
@@ -8277,6 +8377,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Record %1</source>
         <translation>Capturer %1</translation>
+    </message>
+    <message>
+        <source>Record %1 while you take it out, from where it stands until it is out of the assembly. Then press this button with that motion chosen in the dock Trajectory.</source>
+        <translation>Enregistrez %1 pendant que vous la retirez, de sa place jusqu'à la sortie de l'assemblage. Choisissez ensuite ce mouvement dans le panneau Trajectoire et appuyez sur ce bouton.</translation>
     </message>
     <message>
         <source>Record by</source>
@@ -8585,6 +8689,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)</source>
         <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Room for a glove</source>
+        <translation>Place pour un gant</translation>
     </message>
     <message>
         <source>Room for a glove: %1 around the hand. The part weighs %2 kg.</source>
@@ -8947,6 +9055,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionnez un établi, une étagère ou un posage ; s'il y a plusieurs mannequins dans la cellule, aussi celui qui montre le travail. Puis ajoutez de nouveau le poste.</translation>
     </message>
     <message>
+        <source>Select a part in the scene, then press Use selection.</source>
+        <translation>Sélectionnez une pièce dans la scène, puis appuyez sur Utiliser la sélection.</translation>
+    </message>
+    <message>
         <source>Select a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -8977,6 +9089,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
         <translation>Choisi : %1, en X %2, Y %3, Z %4.</translation>
+    </message>
+    <message>
+        <source>Selects the part and guides it softly along the way while you hold it</source>
+        <translation>Sélectionne la pièce et la guide doucement le long du trajet pendant que vous la tenez</translation>
     </message>
     <message>
         <source>Sensor %1 hardly moved between the poses. The calibration is unchanged.</source>
@@ -9093,6 +9209,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Show all four in the scene</source>
         <translation>Montrer les quatre dans la scène</translation>
+    </message>
+    <message>
+        <source>Show by hand instead</source>
+        <translation>Montrer plutôt à la main</translation>
     </message>
     <message>
         <source>Show folder</source>
@@ -9237,6 +9357,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Small</source>
         <translation>Petit</translation>
+    </message>
+    <message>
+        <source>Small woman to tall man</source>
+        <translation>Petite femme à grand homme</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -9583,6 +9707,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
+        <source>Take %1: a soft tube leads it along the way, and neighbours are felt. Lay earlier parts aside first.</source>
+        <translation>Prenez %1 : un tube souple la guide le long du trajet, et les voisines se sentent. Posez d'abord à côté les pièces précédentes.</translation>
+    </message>
+    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
     </message>
@@ -9683,6 +9811,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule diffère de celle qui a été étudiée</translation>
     </message>
     <message>
+        <source>The cell has changed since then. Ask again.</source>
+        <translation>La cellule a changé depuis. Relancez la recherche.</translation>
+    </message>
+    <message>
         <source>The cell has changed: search again.</source>
         <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
@@ -9737,6 +9869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The displayed mesh.</source>
         <translation>Le maillage affiché.</translation>
+    </message>
+    <message>
+        <source>The dock Trajectory plays it: %1.</source>
+        <translation>Le panneau Trajectoire le joue : %1.</translation>
     </message>
     <message>
         <source>The drivers are tested against models and recorded data formats, not on real devices.</source>
@@ -9829,6 +9965,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The glove is not responding. Nothing was recorded.</source>
         <translation>Le gant ne répond pas. Rien n'a été enregistré.</translation>
+    </message>
+    <message>
+        <source>The guide is set. Start the Virtual Desktop to feel it.</source>
+        <translation>Le guide est en place. Démarrez le bureau virtuel pour le sentir.</translation>
     </message>
     <message>
         <source>The hands were not moved</source>
@@ -10495,6 +10635,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Centres outil</translation>
     </message>
     <message>
+        <source>Tool diameter</source>
+        <translation>Diamètre de l'outil</translation>
+    </message>
+    <message>
+        <source>Tool length</source>
+        <translation>Longueur de l'outil</translation>
+    </message>
+    <message>
         <source>Tool offset</source>
         <translation>Décalage de l'outil</translation>
     </message>
@@ -10799,6 +10947,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Indiquez son chemin absolu.</translation>
     </message>
     <message>
+        <source>Use selection</source>
+        <translation>Utiliser la sélection</translation>
+    </message>
+    <message>
         <source>Use single keys without Ctrl</source>
         <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
@@ -11047,6 +11199,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Femme, %1, %2 kg</translation>
     </message>
     <message>
+        <source>Women P5, P50, P95</source>
+        <translation>Femmes P5, P50, P95</translation>
+    </message>
+    <message>
         <source>Work</source>
         <translation>Travail</translation>
     </message>
@@ -11117,6 +11273,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Write the path in metres from the centre of the device's workspace.</source>
         <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Write the report…</source>
+        <translation>Écrire le rapport…</translation>
     </message>
     <message>
         <source>Write the values of the frames into the program, or split the program by frame.</source>
@@ -14715,6 +14879,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>en plusieurs morceaux</translation>
     </message>
     <message>
+        <source>in several pieces, %1</source>
+        <translation>en plusieurs morceaux, %1</translation>
+    </message>
+    <message>
         <source>in the file, %1 points up; the model was rotated so that z points up</source>
         <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
     </message>
@@ -16703,6 +16871,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>planifié</translation>
     </message>
     <message>
+        <source>planned, %1</source>
+        <translation>planifié, %1</translation>
+    </message>
+    <message>
         <source>planning was cancelled</source>
         <translation>la planification a été annulée</translation>
     </message>
@@ -17087,6 +17259,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>montré à la main</translation>
     </message>
     <message>
+        <source>shown by hand, %1</source>
+        <translation>montré à la main, %1</translation>
+    </message>
+    <message>
         <source>simplified</source>
         <translation>simplifié</translation>
     </message>
@@ -17255,8 +17431,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>arrêté avant la fin</translation>
     </message>
     <message>
+        <source>stopped before the shown way was checked</source>
+        <translation>arrêté avant la vérification du trajet montré</translation>
+    </message>
+    <message>
         <source>straight</source>
         <translation>droit</translation>
+    </message>
+    <message>
+        <source>straight, %1</source>
+        <translation>droit, %1</translation>
     </message>
     <message>
         <source>study submit</source>
