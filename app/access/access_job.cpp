@@ -130,7 +130,8 @@ bool AccessJob::isOutdated() const {
   const workcell::Document& document = host_.documentModel().document();
   for (const auto& [id, X_WE] : X_WE_) {
     const bool goes = std::any_of(answer_->order.begin(), answer_->order.end(), [&, entity = id](const auto& step) {
-      return answer_->removal->units()[step.unit].entity == entity;
+      const auto& parts = answer_->removal->units()[step.unit].parts;  // What is attached goes too.
+      return std::any_of(parts.begin(), parts.end(), [&](const auto& one) { return one.part->entity == entity; });
     });
     const workcell::Entity* now = document.find(id);
     if (now == nullptr) return true;
