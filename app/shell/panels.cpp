@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/access/access_docks.h"
 #include "app/console/console_dock.h"
 #include "app/controls/refresh_timer.h"
 #include "app/controls/strip_chart.h"
@@ -117,6 +118,7 @@ void addPanels(Host& host) {
   addStudiesDocks(host);
   addLiveDock(host);
   addConsoleDock(host);
+  addAccessDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   QObject::connect(&refreshTimer(host), &QTimer::timeout, workcell, [&host, workcell, properties] {

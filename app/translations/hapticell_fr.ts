@@ -2467,6 +2467,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>0; -90; 90; 0; 0; 0 (degrés, mm)</translation>
     </message>
     <message>
+        <source>0: the hand takes the part itself</source>
+        <translation>0 : la main prend la pièce elle-même</translation>
+    </message>
+    <message>
         <source>1 damaged entry (%1)</source>
         <translation>1 entrée endommagée (%1)</translation>
     </message>
@@ -2839,12 +2843,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accélération</translation>
     </message>
     <message>
+        <source>Access</source>
+        <translation>Accès</translation>
+    </message>
+    <message>
         <source>Access for maintenance</source>
         <translation>Accès pour la maintenance</translation>
     </message>
     <message>
         <source>Acts now</source>
         <translation>Agit</translation>
+    </message>
+    <message>
+        <source>Access to %1</source>
+        <translation>Accès à %1</translation>
     </message>
     <message>
         <source>Add</source>
@@ -3003,6 +3015,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
+        <source>Along the way</source>
+        <translation>Le long du trajet</translation>
+    </message>
+    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
@@ -3069,6 +3085,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another window controls the stylus; this one observes</source>
         <translation>Une autre fenêtre commande le stylet ; celle-ci observe</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
     </message>
     <message>
         <source>Any</source>
@@ -3627,6 +3647,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez les options pour cette grappe ; le script reste dans le dossier.</translation>
     </message>
     <message>
+        <source>Check the shown way</source>
+        <translation>Vérifier le trajet montré</translation>
+    </message>
+    <message>
         <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
         <translation>Vérifiez l'unité. Si elle est juste, déplacez la pièce à l'origine dans le logiciel de CAO.</translation>
     </message>
@@ -3741,6 +3765,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Chosen step</source>
+        <translation>Étape choisie</translation>
     </message>
     <message>
         <source>Chunks</source>
@@ -4181,6 +4209,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Correct the path, or copy the file to this place.</source>
         <translation>Corrigez le chemin ou placez-y le fichier.</translation>
+    </message>
+    <message>
+        <source>Counts as touching</source>
+        <translation>Compte comme contact</translation>
     </message>
     <message>
         <source>Coupling</source>
@@ -4871,6 +4903,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toucher et fichiers</translation>
     </message>
     <message>
+        <source>Feel it by hand</source>
+        <translation>Sentir à la main</translation>
+    </message>
+    <message>
         <source>Feel of this entity</source>
         <translation>Toucher de cette entité</translation>
     </message>
@@ -4929,6 +4965,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Find a command, panel, button or setting</source>
         <translation>Trouver une commande, un panneau, un bouton, un réglage</translation>
+    </message>
+    <message>
+        <source>Find the way out</source>
+        <translation>Chercher la sortie</translation>
     </message>
     <message>
         <source>Fine</source>
@@ -5775,6 +5815,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>En contact dès le début : %1 et %2</translation>
     </message>
     <message>
+        <source>In its way: %1.</source>
+        <translation>Sur son trajet : %1.</translation>
+    </message>
+    <message>
         <source>In steps of</source>
         <translation>Par pas de</translation>
     </message>
@@ -5895,6 +5939,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il chevauche %1 au repos, plus qu'un simple contact.</translation>
     </message>
     <message>
+        <source>It slides along it for %1.</source>
+        <translation>Elle glisse contre elle sur %1.</translation>
+    </message>
+    <message>
         <source>It stays in the cell until you quit. Export it to keep it.</source>
         <translation>Elle reste dans la cellule jusqu'à la fermeture. Exportez-la pour la garder.</translation>
     </message>
@@ -5987,6 +6035,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>KUKA KRL (.src, .dat)</translation>
     </message>
     <message>
+        <source>Keep as a motion</source>
+        <translation>Garder comme mouvement</translation>
+    </message>
+    <message>
         <source>Keep checking</source>
         <translation>Garder</translation>
     </message>
@@ -6029,6 +6081,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep the stylus button pressed to move</source>
         <translation>Garder le bouton du stylet pressé pour déplacer</translation>
+    </message>
+    <message>
+        <source>Keep the way of %1</source>
+        <translation>Garder le trajet de %1</translation>
+    </message>
+    <message>
+        <source>Kept as written: %1</source>
+        <translation>Gardé tel quel : %1</translation>
     </message>
     <message>
         <source>Key</source>
@@ -6091,6 +6151,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Latin-1 (Europe de l'Ouest)</translation>
     </message>
     <message>
+        <source>Lay earlier parts aside</source>
+        <translation>Poser à côté les précédentes</translation>
+    </message>
+    <message>
+        <source>Lay parts aside</source>
+        <translation>Poser des pièces à côté</translation>
+    </message>
+    <message>
         <source>Layout</source>
         <translation>Disposition</translation>
     </message>
@@ -6101,6 +6169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.</source>
         <translation>Plus petit écart %1 mm %2. Longueur %3 mm, %4 s, graine %5.</translation>
+    </message>
+    <message>
+        <source>Least clearance %1, to %2.</source>
+        <translation>Jeu minimal %1, avec %2.</translation>
     </message>
     <message>
         <source>Leave one of the two files out.</source>
@@ -6307,6 +6379,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
+        <source>Looking for ways, hands and persons. The cell stays as it is.</source>
+        <translation>Recherche de trajets, de prises et de personnes. La cellule reste telle quelle.</translation>
+    </message>
+    <message>
         <source>Loop</source>
         <translation>En boucle</translation>
     </message>
@@ -6453,6 +6529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. To allow it: %2</source>
         <translation>La mémoire n'est pas verrouillée (mlockall : %1) : des cycles peuvent être en retard pendant la lecture de l'espace d'échange. Pour l'autoriser : %2</translation>
+    </message>
+    <message>
+        <source>Men P5, P50, P95</source>
+        <translation>Hommes P5, P50, P95</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -6673,6 +6753,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Moves the guide to the handle of the entity; its direction stays</source>
         <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
+    </message>
+    <message>
+        <source>Moves the parts that go first next to the assembly, as one undo step</source>
+        <translation>Déplace les pièces à retirer d'abord à côté de l'assemblage, en une étape d'annulation</translation>
     </message>
     <message>
         <source>Moving the work %1 farther away</source>
@@ -7147,6 +7231,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore de chemin : %1.</translation>
     </message>
     <message>
+        <source>Nobody</source>
+        <translation>Personne</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
@@ -7237,6 +7325,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing is selected. Click a part in the scene or in the tree.</source>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Select the part that is to be taken out in the scene or in the tree.</source>
+        <translation>Rien n'est sélectionné. Sélectionnez la pièce à retirer dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
         <source>Nothing moved, so nothing was recorded.</source>
@@ -7691,6 +7783,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Taille de la page. Ctrl et la molette la changent aussi.</translation>
     </message>
     <message>
+        <source>Pages (*.pdf);;Web pages (*.html);;Tables (*.csv)</source>
+        <translation>Pages (*.pdf);;Pages web (*.html);;Tableaux (*.csv)</translation>
+    </message>
+    <message>
         <source>Pages of the settings</source>
         <translation>Pages des réglages</translation>
     </message>
@@ -7765,6 +7861,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Part to attach</source>
         <translation>Pièce à attacher</translation>
+    </message>
+    <message>
+        <source>Part to take out</source>
+        <translation>Pièce à retirer</translation>
     </message>
     <message>
         <source>Partial scores: %1 not entered. Complete them in Task data…</source>
@@ -8351,6 +8451,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>RULA</translation>
     </message>
     <message>
+        <source>RULA %1, REBA %2.</source>
+        <translation>RULA %1, REBA %2.</translation>
+    </message>
+    <message>
         <source>RULA along the motion, four mannequins</source>
         <translation>RULA le long du mouvement, quatre mannequins</translation>
     </message>
@@ -8509,6 +8613,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Record actions</source>
         <translation>Enregistrer les actions</translation>
+    </message>
+    <message>
+        <source>Record %1 while you take it out, from where it stands until it is out of the assembly. Then press this button with that motion chosen in the dock Trajectory.</source>
+        <translation>Enregistrez %1 pendant que vous la retirez, de sa place jusqu'à la sortie de l'assemblage. Choisissez ensuite ce mouvement dans le panneau Trajectoire et appuyez sur ce bouton.</translation>
     </message>
     <message>
         <source>Record by</source>
@@ -8825,6 +8933,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)</source>
         <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Room for a glove</source>
+        <translation>Place pour un gant</translation>
     </message>
     <message>
         <source>Room for a glove: %1 around the hand. The part weighs %2 kg.</source>
@@ -9215,6 +9327,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
     </message>
     <message>
+        <source>Select a part in the scene, then press Use selection.</source>
+        <translation>Sélectionnez une pièce dans la scène, puis appuyez sur Utiliser la sélection.</translation>
+    </message>
+    <message>
         <source>Select a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -9249,6 +9365,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
         <translation>Choisi : %1, en X %2, Y %3, Z %4.</translation>
+    </message>
+    <message>
+        <source>Selects the part and guides it softly along the way while you hold it</source>
+        <translation>Sélectionne la pièce et la guide doucement le long du trajet pendant que vous la tenez</translation>
     </message>
     <message>
         <source>Sensor %1 hardly moved between the poses. The calibration is unchanged.</source>
@@ -9365,6 +9485,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Show all four in the scene</source>
         <translation>Montrer les quatre dans la scène</translation>
+    </message>
+    <message>
+        <source>Show by hand instead</source>
+        <translation>Montrer plutôt à la main</translation>
     </message>
     <message>
         <source>Show folder</source>
@@ -9509,6 +9633,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Small</source>
         <translation>Petit</translation>
+    </message>
+    <message>
+        <source>Small woman to tall man</source>
+        <translation>Petite femme à grand homme</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -9863,6 +9991,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
+        <source>Take %1: a soft tube leads it along the way, and neighbours are felt. Lay earlier parts aside first.</source>
+        <translation>Prenez %1 : un tube souple la guide le long du trajet, et les voisines se sentent. Posez d'abord à côté les pièces précédentes.</translation>
+    </message>
+    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
     </message>
@@ -9971,6 +10103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule diffère de celle qui a été étudiée</translation>
     </message>
     <message>
+        <source>The cell has changed since then. Ask again.</source>
+        <translation>La cellule a changé depuis. Relancez la recherche.</translation>
+    </message>
+    <message>
         <source>The cell has changed: search again.</source>
         <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
@@ -10033,6 +10169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The displayed mesh.</source>
         <translation>Le maillage affiché.</translation>
+    </message>
+    <message>
+        <source>The dock Trajectory plays it: %1.</source>
+        <translation>Le panneau Trajectoire le joue : %1.</translation>
     </message>
     <message>
         <source>The drivers are tested against models and recorded data formats, not on real devices.</source>
@@ -10125,6 +10265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The glove is not responding. Nothing was recorded.</source>
         <translation>Le gant ne répond pas. Rien n'a été enregistré.</translation>
+    </message>
+    <message>
+        <source>The guide is set. Start the Virtual Desktop to feel it.</source>
+        <translation>Le guide est en place. Démarrez le bureau virtuel pour le sentir.</translation>
     </message>
     <message>
         <source>The hands were not moved</source>
@@ -10827,6 +10971,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Centres outil</translation>
     </message>
     <message>
+        <source>Tool diameter</source>
+        <translation>Diamètre de l'outil</translation>
+    </message>
+    <message>
+        <source>Tool length</source>
+        <translation>Longueur de l'outil</translation>
+    </message>
+    <message>
         <source>Tool offset</source>
         <translation>Décalage de l'outil</translation>
     </message>
@@ -11143,6 +11295,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Indiquez son chemin absolu.</translation>
     </message>
     <message>
+        <source>Use selection</source>
+        <translation>Utiliser la sélection</translation>
+    </message>
+    <message>
         <source>Use single keys without Ctrl</source>
         <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
@@ -11407,6 +11563,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Femme, %1, %2 kg</translation>
     </message>
     <message>
+        <source>Women P5, P50, P95</source>
+        <translation>Femmes P5, P50, P95</translation>
+    </message>
+    <message>
         <source>Work</source>
         <translation>Travail</translation>
     </message>
@@ -11477,6 +11637,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Write the path in metres from the centre of the device's workspace.</source>
         <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Write the report…</source>
+        <translation>Écrire le rapport…</translation>
     </message>
     <message>
         <source>Write the values of the frames into the program, or split the program by frame.</source>
@@ -15115,6 +15283,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>en plusieurs morceaux</translation>
     </message>
     <message>
+        <source>in several pieces, %1</source>
+        <translation>en plusieurs morceaux, %1</translation>
+    </message>
+    <message>
         <source>in the file, %1 points up; the model was rotated so that z points up</source>
         <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
     </message>
@@ -17115,6 +17287,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>planifié</translation>
     </message>
     <message>
+        <source>planned, %1</source>
+        <translation>planifié, %1</translation>
+    </message>
+    <message>
         <source>planning was cancelled</source>
         <translation>la planification a été annulée</translation>
     </message>
@@ -17499,6 +17675,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>montré à la main</translation>
     </message>
     <message>
+        <source>shown by hand, %1</source>
+        <translation>montré à la main, %1</translation>
+    </message>
+    <message>
         <source>simplified</source>
         <translation>simplifié</translation>
     </message>
@@ -17667,8 +17847,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>arrêté avant la fin</translation>
     </message>
     <message>
+        <source>stopped before the shown way was checked</source>
+        <translation>arrêté avant la vérification du trajet montré</translation>
+    </message>
+    <message>
         <source>straight</source>
         <translation>droit</translation>
+    </message>
+    <message>
+        <source>straight, %1</source>
+        <translation>droit, %1</translation>
     </message>
     <message>
         <source>study submit</source>

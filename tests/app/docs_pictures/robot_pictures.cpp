@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the docks of robots.
+#include <QListWidget>
 #include <QTableView>
 
 #include "app/studies/study_panel.h"
@@ -52,12 +53,31 @@ void study(const PictureTask& task) {
   page.keep();
 }
 
+/// The way of a gear once the parts before it have gone.
+void access(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("access/gearbox.hcell"));
+  page.trigger("actionAccess");
+  const workcell::Entity* gear = page.document().findByName("gear 1");
+  ASSERT_NE(gear, nullptr);
+  page.window().selection().set(gear->id);
+  page.press("buttonAccessPart");
+  page.press("buttonAccessAsk");
+  auto* steps = page.find<QListWidget>("listAccessSteps");
+  constexpr int kSearch = 10 * PicturePage::kPatience;
+  ASSERT_TRUE(PicturePage::until([&] { return steps->count() > 0; }, kSearch));
+  page.press("buttonAccessAside");
+  page.lookFrom(-40, 35, page.window().viewport().scene().bounds_W());
+  page.keep();
+}
+
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
   return {{"robot-configurations", {1300, 731}, "dockRobot", configurations, {1600, 900}},
           {"robot-library", {345, 980}, "dockAddRobot", library},
-          {"study", {1600, 1000}, "dockStudyResults", study}};
+          {"study", {1600, 1000}, "dockStudyResults", study},
+          {"access", {1600, 1000}, "dockAccess", access}};
 }
 
 }  // namespace hapticell::app
