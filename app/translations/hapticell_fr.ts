@@ -2463,12 +2463,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>0.1, 0.2, … en mètres</translation>
     </message>
     <message>
-        <source>0; -90; 90; 0; 0; 0 (degrees, mm)</source>
-        <translation>0; -90; 90; 0; 0; 0 (degrés, mm)</translation>
-    </message>
-    <message>
         <source>0: the hand takes the part itself</source>
         <translation>0 : la main prend la pièce elle-même</translation>
+    </message>
+    <message>
+        <source>0; -90; 90; 0; 0; 0 (degrees, mm)</source>
+        <translation>0; -90; 90; 0; 0; 0 (degrés, mm)</translation>
     </message>
     <message>
         <source>1 damaged entry (%1)</source>
@@ -2851,12 +2851,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accès pour la maintenance</translation>
     </message>
     <message>
-        <source>Acts now</source>
-        <translation>Agit</translation>
-    </message>
-    <message>
         <source>Access to %1</source>
         <translation>Accès à %1</translation>
+    </message>
+    <message>
+        <source>Acts now</source>
+        <translation>Agit</translation>
     </message>
     <message>
         <source>Add</source>
@@ -6087,10 +6087,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder le trajet de %1</translation>
     </message>
     <message>
-        <source>Kept as written: %1</source>
-        <translation>Gardé tel quel : %1</translation>
-    </message>
-    <message>
         <source>Key</source>
         <translation>Touche</translation>
     </message>
@@ -8611,12 +8607,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Capturer %1</translation>
     </message>
     <message>
-        <source>Record actions</source>
-        <translation>Enregistrer les actions</translation>
-    </message>
-    <message>
         <source>Record %1 while you take it out, from where it stands until it is out of the assembly. Then press this button with that motion chosen in the dock Trajectory.</source>
         <translation>Enregistrez %1 pendant que vous la retirez, de sa place jusqu'à la sortie de l'assemblage. Choisissez ensuite ce mouvement dans le panneau Trajectoire et appuyez sur ce bouton.</translation>
+    </message>
+    <message>
+        <source>Record actions</source>
+        <translation>Enregistrer les actions</translation>
     </message>
     <message>
         <source>Record by</source>
@@ -9323,12 +9319,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionnez un établi, une étagère ou un posage ; s'il y a plusieurs mannequins dans la cellule, aussi celui qui montre le travail. Puis ajoutez de nouveau le poste.</translation>
     </message>
     <message>
-        <source>Select a robot or a solid that shall move.</source>
-        <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
-    </message>
-    <message>
         <source>Select a part in the scene, then press Use selection.</source>
         <translation>Sélectionnez une pièce dans la scène, puis appuyez sur Utiliser la sélection.</translation>
+    </message>
+    <message>
+        <source>Select a robot or a solid that shall move.</source>
+        <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
     </message>
     <message>
         <source>Select a row to see it in the scene.</source>
