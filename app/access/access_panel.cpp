@@ -44,12 +44,6 @@ constexpr double kLead = 0.02;
 /// m between parts that are laid aside, our choice.
 constexpr double kAsideGap = 0.05;
 
-QPushButton* makeButton(const char* name, const QString& words) {
-  auto* button = new QPushButton(words);
-  button->setObjectName(QString::fromLatin1(name));
-  return button;
-}
-
 }  // namespace
 
 AccessPanel::AccessPanel(Host& host, MotionList& motions, QWidget* parent)

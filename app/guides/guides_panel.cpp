@@ -19,17 +19,6 @@
 #include "app/style/icon.h"
 
 namespace hapticell::app {
-namespace {
-
-QPushButton* makeButton(const char* name, const QString& text, const QString& tip = {}) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  return button;
-}
-
-}  // namespace
-
 GuidesPanel::GuidesPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   setMinimumWidth(320);
   auto* column = new QVBoxLayout(this);

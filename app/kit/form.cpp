@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -66,6 +67,13 @@ QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int l
 
 bool isSeen(const QWidget& widget) {
   return widget.isVisible() && !widget.visibleRegion().isEmpty();
+}
+
+QPushButton* makeButton(const char* name, const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setToolTip(tip);
+  return button;
 }
 
 QWidget* sideBySide(std::initializer_list<QWidget*> fields) {

@@ -9,6 +9,7 @@
 class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QScrollArea;
 class QVBoxLayout;
 class QWidget;
@@ -35,6 +36,9 @@ bool isSeen(const QWidget& widget);
 
 /// A panel that scrolls vertically if its dock is too low, never narrower than `minimum_width` pixels.
 QScrollArea* scrolledPanel(QWidget* content, int minimum_width = 332);
+
+/// A button with its name for tests, and what it does as a tool tip.
+QPushButton* makeButton(const char* name, const QString& text, const QString& tip = {});
 
 /// Fields side by side in one row, equally wide.
 QWidget* sideBySide(std::initializer_list<QWidget*> fields);

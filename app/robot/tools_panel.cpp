@@ -35,13 +35,6 @@ QListWidget* makeList(const char* name, const QString& accessible, int rows) {
   return list;
 }
 
-QPushButton* makeButton(const char* name, const QString& text, const QString& tip = {}) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(QLatin1String(name));
-  button->setToolTip(tip);
-  return button;
-}
-
 }  // namespace
 
 std::string freeToolName(const std::vector<workcell::ToolFrame>& tools) {

@@ -27,13 +27,6 @@ constexpr double kTriad = 0.04;  // m: length of the goal's axes.
 /// A place of the list: the frame's name in the entity's; both empty: out of the cell.
 constexpr int kEntity = Qt::UserRole, kFrame = Qt::UserRole + 1;
 
-QPushButton* makeButton(const char* name, const QString& text, const QString& tip) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  return button;
-}
-
 /// Where an entity is now, as the hand has moved it.
 manipulation::EntityConfiguration presentOf(const workcell::Entity& entity, const manipulation::SceneSnapshot& now) {
   manipulation::EntityConfiguration at{entity.X_WE, entity.robot() ? entity.joints() : std::vector<double>()};
