@@ -18,8 +18,8 @@ struct Part {
 /// Parts that no recognised surface describes: a hollow free-form dish, a trough of flat facets, a rack with teeth.
 std::vector<Part> freeFormParts();
 
-/// The held ball on the top of the part, pressed down and led over it. The reference knows the ball's depth in the
-/// triangles from a separate distance query, but not the exact force, so depth and direction of the force are not
+/// The held ball presses down on top of the part and moves across it. A separate distance query gives the reference
+/// depth of the ball in the triangles. The exact force is not known, so depth and direction of the force are not
 /// measured. If there is no surface below the middle of the part's bounds, the ball may touch the part beside that
 /// point or not at all.
 MeshCase makePartCase(const Part& part);

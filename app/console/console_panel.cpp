@@ -41,12 +41,6 @@ constexpr int kLongestLine = 20000;       // Letters; longer ones are broken. Ha
 constexpr std::size_t kLastActions = 20;  // Written by "Last actions". Half, twice: as well.
 constexpr qsizetype kLongestStep = 60;    // Letters of a statement in the name of its step.
 
-QPushButton* makeButton(const char* name, const QString& text) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(QString::fromLatin1(name));
-  return button;
-}
-
 QString withPrompts(const QString& source) {
   QString text = source;
   while (text.endsWith(QLatin1Char('\n')) || text.endsWith(QLatin1Char(' '))) text.chop(1);

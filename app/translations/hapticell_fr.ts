@@ -439,8 +439,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 buts</translation>
     </message>
     <message>
-        <source>%1 goes with %2, which the other stylus holds</source>
-        <translation>%1 va avec %2, que tient l'autre stylet</translation>
+        <source>%1 moves with %2, which the other stylus holds: release it there first</source>
+        <translation>%1 se déplace avec %2, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -1427,8 +1427,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
-        <source>%1, which the other stylus holds, goes with %2</source>
-        <translation>%1, que tient l'autre stylet, va avec %2</translation>
+        <source>%2 carries %1, which the other stylus holds: release it there first</source>
+        <translation>%2 porte %1, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
     </message>
     <message>
         <source>%1, with an inner radius below the outer one</source>

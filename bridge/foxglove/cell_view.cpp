@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "bridge/foxglove/scene_message.h"
@@ -48,8 +49,11 @@ std::string nameOf(const Entity* entity, const std::string& part) {
 }  // namespace
 
 std::int64_t nowForViewers() {
-  using std::chrono::nanoseconds;
-  return std::chrono::duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  // The date once, and from there on a clock that nobody sets: stamps never go back.
+  using Clock = std::chrono::steady_clock;
+  static const Clock::time_point begin = Clock::now();
+  static const std::int64_t begin_ns = 1'000'000'000 * static_cast<std::int64_t>(std::time(nullptr));
+  return begin_ns + std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
 }
 
 CellView::CellView(ViewerServer& server)

@@ -26,7 +26,7 @@ struct ViewerMessage {
   std::string key;
 };
 
-/// What a new viewer is told: the topics, and the messages kept for them.
+/// What a new viewer is sent: the topics, and the messages kept for them.
 struct ViewerBoard {
   struct Topic {
     std::uint32_t id = 0;

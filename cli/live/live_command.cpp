@@ -94,7 +94,9 @@ Expected<ordered_json> showLive(const LiveWords& words) {
   HAPTICELL_TRY(live);
   live->show(document->state());
   const StopSignal stop;
-  const double end = words.seconds > 0.0 ? words.seconds : (*replay && !words.repeat ? (*replay)->motion().duration() : -1.0);
+  double end = -1.0;  // s; below 0: until Ctrl+C.
+  if (*replay && !words.repeat) end = (*replay)->motion().duration();
+  if (words.seconds > 0.0) end = words.seconds;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   std::uint64_t pictures = 0;

@@ -17,9 +17,9 @@ struct Topology {
                                  ///< counts exclude them.
   int euler_characteristic = 0;  ///< Vertices - edges + faces; 2 for a sphere, 0 for a torus.
   bool closed = false;           ///< isClosed() of all triangles.
-  /// The least, over all shells, of the volume that a shell encloses as a share of what its triangles sweep from one of
-  /// its corners: near 1 for most bodies, negative where the triangles face inward. Only where each edge has two
-  /// triangles that face the same way; 0 otherwise.
+  /// For each shell, join each of its triangles to one fixed vertex of the shell, and divide the signed sum of the
+  /// volumes of these tetrahedra by the sum of their absolute values. This is the smallest of these ratios: near 1 for
+  /// most bodies, negative if the triangles face inwards. 0 unless each edge has two triangles that face the same way.
   double least_volume_share = 0.0;
 };
 

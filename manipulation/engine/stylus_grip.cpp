@@ -108,9 +108,9 @@ Text StylusGrip::heldElsewhere(workcell::EntityId wanted) const {
     return Text("%1 is held by the other stylus", entity->name);
   }
   if (cell_.standsOn(wanted, other_held_))
-    return Text("%1 goes with %2, which the other stylus holds", entity->name, other->name);
+    return Text("%1 moves with %2, which the other stylus holds: release it there first", entity->name, other->name);
   if (cell_.standsOn(other_held_, wanted))
-    return Text("%1, which the other stylus holds, goes with %2", other->name, entity->name);
+    return Text("%2 carries %1, which the other stylus holds: release it there first", other->name, entity->name);
   return {};
 }
 

@@ -123,7 +123,7 @@ TEST(SecondStylus, WhatTheOneHoldsTheOtherDoesNotTake) {
   EXPECT_EQ(noticesOf(two.second->holder()), "left is held by the other stylus\n");
   two.second->holder().apply(command::Grab{10});
   EXPECT_EQ(two.second->holder().held(), nullptr);
-  EXPECT_EQ(noticesOf(two.second->holder()), "lid goes with left, which the other stylus holds\n");
+  EXPECT_EQ(noticesOf(two.second->holder()), "lid moves with left, which the other stylus holds: release it there first\n");
   // The other way round, and what is free again.
   two.first->apply(command::Release{});
   two.run(20);
@@ -132,7 +132,7 @@ TEST(SecondStylus, WhatTheOneHoldsTheOtherDoesNotTake) {
   ASSERT_NE(two.second->holder().held(), nullptr);
   two.first->apply(command::Grab{kShelf});
   EXPECT_EQ(two.first->held(), nullptr);
-  EXPECT_EQ(noticesOf(*two.first), "lid, which the other stylus holds, goes with left\n");
+  EXPECT_EQ(noticesOf(*two.first), "left carries lid, which the other stylus holds: release it there first\n");
   two.first->apply(command::Grab{kBox});
   EXPECT_NE(two.first->held(), nullptr) << "what is free may be taken";
 }
