@@ -22,10 +22,12 @@ class SqliteFile : public ::testing::Test {
   std::int64_t rows() {
     Statement count = base.prepare("SELECT COUNT(*) FROM t").value();
     std::int64_t found = -1;
-    EXPECT_TRUE(base.forEach(count, [&](const Statement& row) -> Expected<void> {
-                      found = row.whole(0);
-                      return {};
-                    }).has_value());
+    EXPECT_TRUE(base.forEach(count,
+                             [&](const Statement& row) -> Expected<void> {
+                               found = row.whole(0);
+                               return {};
+                             })
+                    .has_value());
     return found;
   }
   test::TemporaryFolder folder;
@@ -45,13 +47,15 @@ TEST_F(SqliteFile, GivesBackWhatWasBoundToTheBit) {
   ASSERT_TRUE(base.step(insert).has_value());
   Statement select = base.prepare("SELECT a, b, c FROM t ORDER BY b").value();
   std::vector<std::int64_t> seen;
-  ASSERT_TRUE(base.forEach(select, [&](const Statement& row) -> Expected<void> {
-                    seen.push_back(row.whole(1));
-                    if (row.isNull(0)) return {};
-                    EXPECT_EQ(row.number(0), 0.1 + 0.2);
-                    EXPECT_EQ(row.text(2), odd);
-                    return {};
-                  }).has_value());
+  ASSERT_TRUE(base.forEach(select,
+                           [&](const Statement& row) -> Expected<void> {
+                             seen.push_back(row.whole(1));
+                             if (row.isNull(0)) return {};
+                             EXPECT_EQ(row.number(0), 0.1 + 0.2);
+                             EXPECT_EQ(row.text(2), odd);
+                             return {};
+                           })
+                  .has_value());
   EXPECT_THAT(seen, ElementsAre(std::numeric_limits<std::int64_t>::min(), 7));
 }
 
@@ -90,8 +94,8 @@ TEST_F(SqliteFile, EveryErrorNamesTheFile) {
   const auto bad = base.prepare("SELEKT 1");
   ASSERT_FALSE(bad.has_value());
   EXPECT_THAT(bad.error().message(), HasSubstr("a.db"));
-  auto letter = SqliteBase::open(folder.write("letter.db", "Dear Anna, ..." + std::string(5000, ' ')),
-                                 SqliteBase::Mode::kRead);
+  auto letter =
+      SqliteBase::open(folder.write("letter.db", "Dear Anna, ..." + std::string(5000, ' ')), SqliteBase::Mode::kRead);
   const auto read = letter ? letter->run("SELECT * FROM sqlite_master") : Expected<void>(makeError(letter.error()));
   ASSERT_FALSE(read.has_value());
   EXPECT_THAT(read.error().message(), HasSubstr("letter.db"));
@@ -101,7 +105,8 @@ TEST_F(SqliteFile, EveryErrorNamesTheFile) {
 }
 
 TEST_F(SqliteFile, AnyNameCanBeAColumn) {
-  for (const std::string& name : {std::string("plain"), std::string("a \"b\" c"), std::string("x\"; DROP TABLE t; --")}) {
+  for (const std::string& name :
+       {std::string("plain"), std::string("a \"b\" c"), std::string("x\"; DROP TABLE t; --")}) {
     ASSERT_TRUE(base.run("ALTER TABLE t ADD COLUMN " + quotedColumn(name)).has_value()) << name;
     EXPECT_TRUE(base.prepare("SELECT " + quotedColumn(name) + " FROM t").has_value()) << name;
   }

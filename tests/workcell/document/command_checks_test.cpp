@@ -17,7 +17,8 @@ using ::testing::HasSubstr;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(CommandChecks, NamesArePrintableAndOfUsualLength) {
-  for (const std::string& good : {std::string("a"), std::string("Gripper G2"), std::string("Türe"), std::string(200, 'x')})
+  for (const std::string& good :
+       {std::string("a"), std::string("Gripper G2"), std::string("Türe"), std::string(200, 'x')})
     EXPECT_TRUE(checkName("a name", good).has_value()) << good;
   for (const std::string& bad : {std::string(), std::string(201, 'x'), std::string(" a"), std::string("a "),
                                  std::string("a\nb"), std::string("a\x7f"), std::string("a\0b", 3)})

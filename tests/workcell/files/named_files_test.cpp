@@ -28,16 +28,17 @@ TEST_F(NamedFiles, AreMaterialLibrariesAlsoWithBlanksAndInFolders) {
   fs::create_directory(folder.path() / "mats");
   const fs::path one = folder.write("one.mtl", ""), blank = folder.write("two words.mtl", ""),
                  below = folder.write("mats/three.mtl", "");
-  const fs::path obj = folder.write("a.obj", "mtllib one.mtl missing.mtl\nmtllib two words.mtl\nmtllib mats\\three.mtl\n" +
-                                                 std::string(kTriangle) + "mtllib one.mtl\n");
+  const fs::path obj =
+      folder.write("a.obj", "mtllib one.mtl missing.mtl\nmtllib two words.mtl\nmtllib mats\\three.mtl\n" +
+                                std::string(kTriangle) + "mtllib one.mtl\n");
   EXPECT_THAT(filesNamedIn(obj), UnorderedElementsAre(one, blank, below));
 }
 
 TEST_F(NamedFiles, NeverLeadAboveTheFolder) {
   fs::create_directory(folder.path() / "inner");
   const fs::path secret = folder.write("secret.mtl", "");
-  const fs::path obj = folder.write("inner/a.obj", "mtllib ../secret.mtl\nmtllib x/../../secret.mtl\nmtllib " +
-                                                       secret.string() + "\n" + kTriangle);
+  const fs::path obj = folder.write(
+      "inner/a.obj", "mtllib ../secret.mtl\nmtllib x/../../secret.mtl\nmtllib " + secret.string() + "\n" + kTriangle);
   EXPECT_THAT(filesNamedIn(obj), IsEmpty());
 }
 

@@ -186,9 +186,9 @@ TEST_F(Format, AMotionIsReadAsItWasWrittenAndChecked) {
     EXPECT_EQ(read.points[1].t, 1.5);
     EXPECT_EQ(read.points[1].p_W, dvec3(0.1, 0.2, 0.3));
   }
-  for (const char* bad : {R"({})", R"({"path": [[0, 0, 0]]})", R"({"path": [[0, 0, 0, 0]]})",
-                          R"({"path": [[0, 0, 0, 0], [1, 9, 0, 0]]})", R"({"path": [[0, 0, 0, 0], [0, 1, 0, 0]]})",
-                          R"({"path": [[0, 0, 0, 0], [1, 1, 0, 0]], "repeat": "often"})"}) {
+  for (const char* bad :
+       {R"({})", R"({"path": [[0, 0, 0]]})", R"({"path": [[0, 0, 0, 0]]})", R"({"path": [[0, 0, 0, 0], [1, 9, 0, 0]]})",
+        R"({"path": [[0, 0, 0, 0], [0, 1, 0, 0]]})", R"({"path": [[0, 0, 0, 0], [1, 1, 0, 0]], "repeat": "often"})"}) {
     error.reset();
     motionFromJson(Json::parse(bad), place, error, notes);
     ASSERT_TRUE(error.has_value()) << bad;
@@ -256,8 +256,8 @@ TEST_F(Format, AMechanismIsMadeAgainFromItsText) {
   hinge.parent = "frame";
   hinge.child = "leaf";
   hinge.upper = 1.0;
-  const auto made = document.execute(MakeMechanism{
-      "door", {document.findByName("frame")->id, document.findByName("leaf")->id}, {hinge}});
+  const auto made = document.execute(
+      MakeMechanism{"door", {document.findByName("frame")->id, document.findByName("leaf")->id}, {hinge}});
   ASSERT_TRUE(made.has_value()) << made.error().message();
   const Entity& door = *document.find(*made);
   const Json json = jsonFromMechanism(*door.mechanism(), folder);

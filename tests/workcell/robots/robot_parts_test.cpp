@@ -20,6 +20,7 @@
 namespace hapticell::workcell {
 namespace {
 
+using hapticell::test::TemporaryFolder;
 using test::jointText;
 using test::linkText;
 using test::meshText;
@@ -28,7 +29,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
-using hapticell::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 TEST(UrdfLines, SayWhereALineComesFrom) {
@@ -60,12 +60,12 @@ class UrdfParts : public ::testing::Test {
 };
 
 TEST_F(UrdfParts, ALinkHasItsShapes) {
-  const auto link = readUrdfLink(
-      parse("<link name='l'><visual><origin xyz='1 2 3'/><geometry><box size='1 2 3'/></geometry>"
-            "<material name='red'><color rgba='1 0 0 1'/></material></visual>"
-            "<collision><geometry><cylinder radius='0.5' length='2'/></geometry></collision>"
-            "<collision><geometry><mesh filename='a.stl' scale='1 -1 2'/></geometry></collision></link>"),
-      lines, notes);
+  const auto link =
+      readUrdfLink(parse("<link name='l'><visual><origin xyz='1 2 3'/><geometry><box size='1 2 3'/></geometry>"
+                         "<material name='red'><color rgba='1 0 0 1'/></material></visual>"
+                         "<collision><geometry><cylinder radius='0.5' length='2'/></geometry></collision>"
+                         "<collision><geometry><mesh filename='a.stl' scale='1 -1 2'/></geometry></collision></link>"),
+                   lines, notes);
   ASSERT_TRUE(link.has_value()) << link.error().message();
   EXPECT_EQ(link->name, "l");
   ASSERT_THAT(link->visuals, SizeIs(1));
@@ -84,10 +84,11 @@ TEST_F(UrdfParts, ALinkHasItsShapes) {
 }
 
 TEST_F(UrdfParts, AJointHasAxisLimitsAndMimic) {
-  const auto joint = readUrdfJoint(
-      parse("<joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='0 0 2'/>"
-            "<limit lower='-1' upper='2' velocity='3' effort='1'/><mimic joint='k' multiplier='2' offset='0.5'/></joint>"),
-      lines, notes);
+  const auto joint =
+      readUrdfJoint(parse("<joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='0 0 2'/>"
+                          "<limit lower='-1' upper='2' velocity='3' effort='1'/><mimic joint='k' multiplier='2' "
+                          "offset='0.5'/></joint>"),
+                    lines, notes);
   ASSERT_TRUE(joint.has_value()) << joint.error().message();
   EXPECT_EQ(joint->type, "prismatic");
   EXPECT_EQ(joint->parent, "a");
@@ -118,16 +119,18 @@ TEST_F(UrdfParts, CrossedLimitsMeanNoneAndAreTold) {
 }
 
 TEST_F(UrdfParts, AMaterialHasItsColorOrATexture) {
-  const UrdfMaterial red = readUrdfMaterial(parse("<material name='red'><color rgba='1 0 0 0.5'/></material>"), lines, notes);
+  const UrdfMaterial red =
+      readUrdfMaterial(parse("<material name='red'><color rgba='1 0 0 0.5'/></material>"), lines, notes);
   ASSERT_TRUE(red.color.has_value());
   EXPECT_EQ((*red.color)[0], 1.0f);
   EXPECT_EQ((*red.color)[3], 0.5f);
-  EXPECT_TRUE(readUrdfMaterial(parse("<material name='w'><texture filename='w.png'/></material>"), lines, notes).textured);
+  EXPECT_TRUE(
+      readUrdfMaterial(parse("<material name='w'><texture filename='w.png'/></material>"), lines, notes).textured);
 }
 
 TEST_F(UrdfParts, TheStructureIsATreeFromItsRoot) {
-  const std::string text = robotText(linkText("c") + linkText("a") + linkText("b") + jointText("bc", "b", "c") +
-                                     jointText("ab", "a", "b"));
+  const std::string text =
+      robotText(linkText("c") + linkText("a") + linkText("b") + jointText("bc", "b", "c") + jointText("ab", "a", "b"));
   const auto structure = readUrdfStructure(text, lines, notes);
   ASSERT_TRUE(structure.has_value()) << structure.error().message();
   EXPECT_EQ(structure->robot_name, "r");
@@ -156,7 +159,8 @@ TEST_F(UrdfParts, AShapeThatCannotBeReadIsCounted) {
   folder.write("good.stl", test::tetrahedronStl());
   const UrdfLines file((folder.path() / "arm.urdf").string());
   const auto link = readUrdfLink(
-      parse(linkText("l", meshText("visual", "good.stl", "scale=\"1 1 2\"") + meshText("visual", "none.stl"))), file, notes);
+      parse(linkText("l", meshText("visual", "good.stl", "scale=\"1 1 2\"") + meshText("visual", "none.stl"))), file,
+      notes);
   ASSERT_TRUE(link.has_value()) << link.error().message();
   UrdfShapes shapes(file, notes);
   kinematics::Link filled;
@@ -198,7 +202,8 @@ TEST(RobotLibrary, ListsWhatItCanFind) {
     if (i == 0) continue;
     EXPECT_LT(robots[i - 1].name, robots[i].name);
   }
-  for (const char* bad : {"", "none", "../robots/ur5", "ur5.toml"}) EXPECT_FALSE(findLibraryRobot(bad).has_value()) << bad;
+  for (const char* bad : {"", "none", "../robots/ur5", "ur5.toml"})
+    EXPECT_FALSE(findLibraryRobot(bad).has_value()) << bad;
 }
 
 TEST(RobotLibrary, KnowsThePayloadsOfTheMakers) {
@@ -211,7 +216,8 @@ TEST(RobotLibrary, KnowsThePayloadsOfTheMakers) {
 
 /// The classic Denavit-Hartenberg transform: Rz(theta) Tz(d) Tx(a) Rx(alpha).
 Pose dh(double theta, double d, double a, double alpha) {
-  const Pose z{{0, 0, d}, quaternionFromRotationVector({0, 0, theta})}, x{{a, 0, 0}, quaternionFromRotationVector({alpha, 0, 0})};
+  const Pose z{{0, 0, d}, quaternionFromRotationVector({0, 0, theta})},
+      x{{a, 0, 0}, quaternionFromRotationVector({alpha, 0, 0})};
   return z * x;
 }
 
@@ -226,7 +232,8 @@ TEST(RobotToml, ADenavitHartenbergTableGivesItsChain) {
   ASSERT_TRUE(robot.has_value()) << robot.error().message();
   EXPECT_EQ(robot->sheet.payload, 3.0);
   ASSERT_EQ(robot->model.dof(), 2u);
-  EXPECT_NEAR(robot->model.joints[static_cast<std::size_t>(robot->model.moving[0])].upper, 0.5 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(robot->model.joints[static_cast<std::size_t>(robot->model.moving[0])].upper, 0.5 * std::numbers::pi,
+              1e-12);
   const Pose expected = dh(0, 0.3, 0.1, 0.5 * std::numbers::pi) * dh(0, 0.05, 0.4, std::numbers::pi / 6);
   Pose X;  // All joints at 0: the joints' own placements.
   for (const kinematics::Joint& joint : robot->model.joints) X = X * joint.X_PJ;

@@ -2,8 +2,8 @@
 // The small parts that scene files are read and written with.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <tinyxml.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -398,9 +398,11 @@ TEST(GltfWriter, WritesTheTreeSharedMeshesAndLinearColors) {
 
 TEST(WholeMesh, IsTheFileInMetres) {
   const hapticell::test::TemporaryFolder folder;
-  const fs::path file = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const fs::path file =
+      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   Diagnostics notes;
-  const auto metres = readWholeMesh(file, {}, notes), millimetres = readWholeMesh(file, {.metres_per_unit = 0.001}, notes);
+  const auto metres = readWholeMesh(file, {}, notes),
+             millimetres = readWholeMesh(file, {.metres_per_unit = 0.001}, notes);
   ASSERT_TRUE(metres.has_value() && millimetres.has_value());
   EXPECT_EQ(metres->triangles.size(), 4u);
   EXPECT_NEAR(metres->bounds().max.x, 1.0, 1e-12);

@@ -14,9 +14,10 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 /// Two angles and a flag; the score adds 1 for each 10 degrees and 3 for the flag.
-const std::vector<ChangeField> kFields = {{.name = "trunk", .from = 60.0, .values = {40.0, 20.0, 0.0}},
-                                          {.name = "neck", .from = 20.0, .values = {10.0, 0.0}},
-                                          {.name = "twisted", .is_flag = true, .unit = 1.0, .from = 1.0, .values = {0.0}}};
+const std::vector<ChangeField> kFields = {
+    {.name = "trunk", .from = 60.0, .values = {40.0, 20.0, 0.0}},
+    {.name = "neck", .from = 20.0, .values = {10.0, 0.0}},
+    {.name = "twisted", .is_flag = true, .unit = 1.0, .from = 1.0, .values = {0.0}}};
 
 std::optional<double> sumOf(std::span<const double> values) {
   return values[0] / 10.0 + values[1] / 10.0 + 3.0 * values[2];
@@ -40,9 +41,8 @@ TEST(ChangeSearch, SingleChangesComeByTheirEffectThenByTheirSize) {
   EXPECT_EQ(found[1].change.field, "twisted");
   EXPECT_EQ(found[1].score, 8.0);
   EXPECT_EQ(found[2].change.field, "neck");
-  const std::vector<PostureDriver> steps = singleChanges(kFields, [](std::span<const double> values) {
-    return std::optional<double>(values[0] < 50.0 ? 1.0 : 2.0);
-  });
+  const std::vector<PostureDriver> steps = singleChanges(
+      kFields, [](std::span<const double> values) { return std::optional<double>(values[0] < 50.0 ? 1.0 : 2.0); });
   ASSERT_THAT(steps, SizeIs(1)) << "a change without effect is none";
   EXPECT_EQ(steps[0].change.to, 40.0) << "of equal ones the nearest";
   EXPECT_THAT(singleChanges(kFields, [](std::span<const double>) { return std::optional<double>(); }), IsEmpty());
@@ -98,7 +98,8 @@ TEST(ChangeSearch, TheNearestLowerLevelIsTheOneOfAllCombinations) {
 
 TEST(ChangeSearch, GivesNothingWhereNoChangeLowersTheLevel) {
   EXPECT_FALSE(nearestLowerLevel(kFields, sumOf, [](double) { return 1; }).has_value());
-  EXPECT_FALSE(nearestLowerLevel({}, [](std::span<const double>) { return std::optional<double>(1.0); }, levelOf));
+  EXPECT_FALSE(nearestLowerLevel(
+      {}, [](std::span<const double>) { return std::optional<double>(1.0); }, levelOf));
   // From 11 to 8 or less needs the flag (3) or the trunk; to 4 or less needs two: not with one.
   const LevelOf low = [](double score) { return score <= 2.0 ? 0 : 1; };
   EXPECT_FALSE(nearestLowerLevel(kFields, sumOf, low, 1).has_value());
