@@ -21,6 +21,7 @@ MAY_START = {
     "app/kit/video_writer.cpp": "ffmpeg, by config::systemProgram()",
     "app/virtual_desktop/devices/server_process.cpp": "the haptic server beside the program",
     "app/virtual_desktop/devices/device_listing.cpp": "hapticell-cli beside the program",
+    "app/console/console_link.cpp": "Python, by an absolute path or config::systemProgram()",
     "cli/device/device_list.cpp": "itself, to ask a driver apart",
     "studies/cluster/program_call.cpp": "Slurm's commands, by config::systemProgram()",
     "cli/ros2/bridge_call.cpp": "hapticell-ros2 beside the program",

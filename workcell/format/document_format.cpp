@@ -242,10 +242,12 @@ class StateReader {
       return addEntity(fields, place, std::move(head));
     }
     const Entity* known = knownShape(json);
-    Expected<Entity> loaded = known ? asRead(*known)
-                              : mechanism
-                                  ? mechanismFromJson(*mechanism, head.name, place, context_, sources_)
-                                  : loader_.loadSource(head.source, diagnostics_);
+    const auto load = [&]() -> Expected<Entity> {
+      if (known) return asRead(*known);
+      if (mechanism) return mechanismFromJson(*mechanism, head.name, place, context_, sources_);
+      return loader_.loadSource(head.source, diagnostics_);
+    };
+    Expected<Entity> loaded = load();
     if (!loaded && options_.keep_unloaded) return keepUnloaded(json, fields, place, head, loaded.error());
     if (!loaded) return context_.failIn(place, loaded.error());
     loaded->name = head.name;
