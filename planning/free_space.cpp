@@ -25,6 +25,12 @@ using manipulation::MovedPart;
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
 
+/// m of path between the places of a motion that are looked at before it is proven, which take a few us each. Half:
+/// free motions take longer; twice: more motions that end in something are found by their proof only, which takes ms.
+constexpr double kLooksApart = 0.1;
+/// Pieces between such places at most. Half, twice: as above, for motions of more than 3.2 m.
+constexpr int kMostLooks = 32;
+
 /// A pair that is checked: parts of the space's scene, by index, and who they are.
 struct CheckedPair {
   std::uint32_t part = 0, other = 0;
@@ -218,19 +224,37 @@ void FreeSpace::setClearance(double clearance) {
   clearances_.assign(clearances_.size(), clearance);
 }
 
-bool FreeSpace::ask(bool moves) {
-  ++checks_;
+/// Of moved_.
+bool FreeSpace::meetsNothing(bool moves) {
   const auto found = scene_.findNearer(moved_, clearances_, !moves);
   if (found) blocked_by_ = plan_->pairs[scene_.tag(*found)].words;
   return !found;
 }
 
+bool FreeSpace::standsFree(const EntityConfiguration& at) {
+  plan_->manipulator->partPoses(at, X_WP_);
+  for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
+  return meetsNothing(false) && !ownPartsTouch();
+}
+
+/// Whether something is in the way at the end, in the middle, at the quarters and so on: of most motions that are not
+/// free. Needs bounds_.
+bool FreeSpace::isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to) {
+  const double way = bounds_.empty() ? 0.0 : *std::max_element(bounds_.begin(), bounds_.end());
+  for (int pieces = 1; pieces <= kMostLooks; pieces *= 2) {
+    for (int i = 1; i <= pieces; i += 2) {
+      if (!standsFree(plan_->manipulator->between(from, to, static_cast<double>(i) / pieces))) return true;
+    }
+    if (way <= kLooksApart * pieces) break;
+  }
+  return false;
+}
+
 bool FreeSpace::isFree(const EntityConfiguration& at) {
   blocked_by_.reset();
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
-  plan_->manipulator->partPoses(at, X_WP_);
-  for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
-  return ask(false) && !ownPartsTouch();
+  ++checks_;
+  return standsFree(at);
 }
 
 /// At X_WP_.
@@ -281,7 +305,9 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
   blocked_by_.reset();
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
   const Manipulator& manipulator = *plan_->manipulator;
+  ++checks_;
   manipulator.pathBounds(from, to, plan_->spheres, bounds_);
+  if (isMetOnTheWay(from, to)) return false;
   const double turned = manipulator.turnBound(from, to);
   PlannedMotion motion{manipulator, from, to};
   for (std::size_t i = 0; i < moved_.size(); ++i) {
@@ -290,7 +316,7 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
     part.bend_bound = 2.0 * turned * bounds_[i];
     part.along = [&motion, i](double s) { return motion.poseOf(i, s); };
   }
-  return ask(true) && !ownPartsTouch(from, to);
+  return meetsNothing(true) && !ownPartsTouch(from, to);
 }
 
 std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {

@@ -94,7 +94,9 @@ class FreeSpace {
  private:
   struct Plan;
   explicit FreeSpace(std::shared_ptr<const Plan> plan);
-  bool ask(bool moves);
+  bool standsFree(const EntityConfiguration& at);
+  bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
+  bool meetsNothing(bool moves);
   bool ownPartsTouch();
   bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
