@@ -97,7 +97,8 @@ class FreeSpace {
   bool standsFree(const EntityConfiguration& at);
   bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
   bool meetsNothing(bool moves);
-  bool ownPartsTouch();
+  bool keptApart(std::size_t own, const EntityConfiguration& at) const;
+  bool ownPartsTouch(const EntityConfiguration& at);
   bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
