@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <numbers>
 
 #include "collision/queries/proximity_query.h"
 #include "geometry/system/assertion.h"
@@ -24,6 +26,23 @@ using manipulation::MovedPart;
 /// m: nearer than this at rest counts as touching, as for JointCheck. Half: rounding decides; twice: a pair 2 um apart
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
+
+/// m of path between the places of a motion that are looked at before it is proven, which take a few us each. Half:
+/// free motions take longer; twice: more motions that end in something are found by their proof only, which takes ms.
+constexpr double kLooksApart = 0.1;
+/// Pieces between such places at most. Half, twice: as above, for motions of more than 3.2 m.
+constexpr int kMostLooks = 32;
+
+/// Share of the proven way of a joint that counts: rounding. Half, twice: far from rounding and from what matters.
+constexpr double kProvenShare = 1.0 - 1e-6;
+/// rad: joints without limits are proven up to here. Half: full turns are proven anew each time; twice: so is none.
+constexpr double kProvenTurn = 2.0 * std::numbers::pi;
+
+/// Values of a joint; at first none.
+struct FreeRange {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  bool holds(double q) const { return lower <= q && q <= upper; }
+};
 
 /// A pair that is checked: parts of the space's scene, by index, and who they are.
 struct CheckedPair {
@@ -75,6 +94,54 @@ struct PlannedMotion {
   }
 };
 
+/// m of motion: shorter pieces are not halved but followed by their distance. Half: one halving more near contact;
+/// twice: longer pieces to follow there, at 10 to 20 us a distance.
+constexpr double kShortPiece = 2e-3;
+/// Pieces of a motion that wait: halvings from 2^60 m down to the above.
+constexpr int kMostOpen = 64;
+
+struct Piece {
+  double from = 0.0, to = 1.0;
+};
+
+/// Leads an own pair along a piece of a motion, the one part as seen from the other, until they touch. `way`: bound (m)
+/// of their paths by the joints between them, together, on the whole motion.
+collision::MotionStop leadOwnPair(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion,
+                                  double way, const Piece& piece = {}) {
+  const double length = piece.to - piece.from;
+  const Pose X_WA0 = motion.poseOf(pair.part, piece.from);
+  collision::PartMotion met;
+  met.path_bound = way * length;
+  met.bend_bound = std::numeric_limits<double>::infinity();
+  met.along = [&](double s) {
+    const double at = piece.from + s * length;
+    return X_WA0 * (motion.poseOf(pair.part, at).inverse() * motion.poseOf(pair.other, at));
+  };
+  return collision::advance(query, collision::standingStill(X_WA0), met, {0.0, 1.0});
+}
+
+/// Whether an own pair touches on a motion. What is apart by more than half a piece's way in its middle is so on the
+/// whole piece, which takes a tenth of a distance to tell.
+bool ownPairTouches(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion, double way) {
+  Piece open[kMostOpen];
+  int count = 1;
+  while (count > 0) {
+    const Piece piece = open[--count];
+    const double middle = 0.5 * (piece.from + piece.to), length = way * (piece.to - piece.from);
+    const Pose X_WA = motion.poseOf(pair.part, middle), X_WB = motion.poseOf(pair.other, middle);
+    if (!query.within(X_WA, X_WB, collision::kLeastClearance + 0.5 * length + collision::kRounding)) continue;
+    if (length <= kShortPiece || count + 2 > kMostOpen) {
+      const auto stop = leadOwnPair(query, pair, motion, way, piece);
+      if (stop.stopped || stop.began_colliding) return true;
+      continue;
+    }
+    if (query.within(X_WA, X_WB, collision::kLeastClearance)) return true;
+    open[count++] = {middle, piece.to};
+    open[count++] = {piece.from, middle};
+  }
+  return false;
+}
+
 Expected<void> canBePlannedFor(const workcell::Entity* entity) {
   if (entity == nullptr)
     return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
@@ -104,7 +171,11 @@ struct FreeSpace::Plan {
   EntityConfiguration present;
   double radius = 0.0;
   Text note;
+  mutable std::once_flag ranges_known;
+  mutable std::vector<FreeRange> ranges;  ///< Of own_pairs; see freeRanges().
 
+  const std::vector<FreeRange>& freeRanges() const;
+  FreeRange freeRangeOf(const CheckedPair& pair) const;
   void addPairs(const HeldPairs& held);
   void addObstacles(const HeldPairs& held);
   void leaveOutTouching();
@@ -128,6 +199,39 @@ void FreeSpace::Plan::addPairs(const HeldPairs& held) {
     if (pair.own && robot != nullptr) pair.joints = jointsBetween(*robot, moved.link, model.parts()[pair.other].link);
     (pair.own ? own_pairs : pairs).push_back(std::move(pair));
   }
+}
+
+/// Where the one joint between an own pair keeps it apart, whatever the other joints are: proven once, from the present
+/// value to both limits, at the first question. Links beside each other are so near that each motion's own proof takes
+/// hundreds of distances. Any thread.
+const std::vector<FreeRange>& FreeSpace::Plan::freeRanges() const {
+  std::call_once(ranges_known, [this] {
+    ranges.reserve(own_pairs.size());
+    for (const CheckedPair& pair : own_pairs) ranges.push_back(freeRangeOf(pair));
+  });
+  return ranges;
+}
+
+FreeRange FreeSpace::Plan::freeRangeOf(const CheckedPair& pair) const {
+  const kinematics::RobotModel* robot = model.form().robot().get();
+  if (robot == nullptr || robot->closure != nullptr || pair.joints.size() != 1) return {};
+  const std::size_t variable = pair.joints.front();
+  const kinematics::Joint& joint = robot->joints[static_cast<std::size_t>(robot->moving[variable])];
+  collision::ProximityQuery query(model.parts()[pair.part].part->mesh.collider,
+                                  model.parts()[pair.other].part->mesh.collider);
+  const double begin = present.joints[variable];
+  const auto provenTo = [&](double end) {
+    EntityConfiguration to = present;
+    to.joints[variable] = end;
+    std::vector<double> bounds(spheres.size());
+    manipulator->pathBounds(present, to, spheres, bounds);
+    PlannedMotion motion{*manipulator, present, to};
+    const auto stop = leadOwnPair(query, pair, motion, bounds[pair.part] + bounds[pair.other]);
+    if (stop.began_colliding) return std::numeric_limits<double>::quiet_NaN();
+    return begin + (stop.stopped ? kProvenShare * stop.s : 1.0) * (end - begin);
+  };
+  const FreeRange range{provenTo(std::max(joint.lower, -kProvenTurn)), provenTo(std::min(joint.upper, kProvenTurn))};
+  return std::isnan(range.lower) || std::isnan(range.upper) ? FreeRange() : range;
 }
 
 void FreeSpace::Plan::addObstacles(const HeldPairs& held) {
@@ -218,25 +322,50 @@ void FreeSpace::setClearance(double clearance) {
   clearances_.assign(clearances_.size(), clearance);
 }
 
-bool FreeSpace::ask(bool moves) {
-  ++checks_;
+/// Of moved_.
+bool FreeSpace::meetsNothing(bool moves) {
   const auto found = scene_.findNearer(moved_, clearances_, !moves);
   if (found) blocked_by_ = plan_->pairs[scene_.tag(*found)].words;
   return !found;
 }
 
+bool FreeSpace::standsFree(const EntityConfiguration& at) {
+  plan_->manipulator->partPoses(at, X_WP_);
+  for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
+  return meetsNothing(false) && !ownPartsTouch(at);
+}
+
+/// Whether something is in the way at the end, in the middle, at the quarters and so on: of most motions that are not
+/// free. Needs bounds_.
+bool FreeSpace::isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to) {
+  const double way = bounds_.empty() ? 0.0 : *std::max_element(bounds_.begin(), bounds_.end());
+  for (int pieces = 1; pieces <= kMostLooks; pieces *= 2) {
+    for (int i = 1; i <= pieces; i += 2) {
+      if (!standsFree(plan_->manipulator->between(from, to, static_cast<double>(i) / pieces))) return true;
+    }
+    if (way <= kLooksApart * pieces) break;
+  }
+  return false;
+}
+
 bool FreeSpace::isFree(const EntityConfiguration& at) {
   blocked_by_.reset();
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
-  plan_->manipulator->partPoses(at, X_WP_);
-  for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i].motion = collision::standingStill(X_WP_[i]);
-  return ask(false) && !ownPartsTouch();
+  ++checks_;
+  return standsFree(at);
 }
 
-/// At X_WP_.
-bool FreeSpace::ownPartsTouch() {
+/// Whether the own pair is proven to be apart there by the one joint between its parts.
+bool FreeSpace::keptApart(std::size_t own, const EntityConfiguration& at) const {
+  const CheckedPair& pair = plan_->own_pairs[own];
+  return pair.joints.size() == 1 && plan_->freeRanges()[own].holds(at.joints[pair.joints.front()]);
+}
+
+/// At X_WP_, the parts' poses at `at`.
+bool FreeSpace::ownPartsTouch(const EntityConfiguration& at) {
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const CheckedPair& pair = plan_->own_pairs[i];
+    if (keptApart(i, at)) continue;
     if (!own_[i].within(X_WP_[pair.part], X_WP_[pair.other], collision::kLeastClearance)) continue;
     blocked_by_ = pair.words;
     return true;
@@ -252,6 +381,7 @@ bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfi
   PlannedMotion motion{manipulator, from, to};
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const CheckedPair& pair = plan_->own_pairs[i];
+    if (keptApart(i, from) && keptApart(i, to)) continue;
     const Pose &X_WA = X_WP_[pair.part], &X_WB = X_WP_[pair.other];
     const auto comesNear = [&](double way) {
       return own_[i].within(X_WA, X_WB, collision::kLeastClearance + 0.5 * way + collision::kRounding);
@@ -262,15 +392,7 @@ bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfi
     manipulator.pathBounds(from, apart, plan_->spheres, own_bounds_);
     const double way = own_bounds_[pair.part] + own_bounds_[pair.other];
     if (!comesNear(way)) continue;
-    const Pose X_WA0 = motion.poseOf(pair.part, 0.0);
-    collision::PartMotion met;
-    met.path_bound = way;
-    met.bend_bound = std::numeric_limits<double>::infinity();
-    met.along = [&](double s) {
-      return X_WA0 * (motion.poseOf(pair.part, s).inverse() * motion.poseOf(pair.other, s));
-    };
-    const auto stop = collision::advance(own_[i], collision::standingStill(X_WA0), met, {0.0, 1.0});
-    if (!stop.stopped && !stop.began_colliding) continue;
+    if (!ownPairTouches(own_[i], pair, motion, way)) continue;
     blocked_by_ = pair.words;
     return true;
   }
@@ -281,7 +403,9 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
   blocked_by_.reset();
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
   const Manipulator& manipulator = *plan_->manipulator;
+  ++checks_;
   manipulator.pathBounds(from, to, plan_->spheres, bounds_);
+  if (isMetOnTheWay(from, to)) return false;
   const double turned = manipulator.turnBound(from, to);
   PlannedMotion motion{manipulator, from, to};
   for (std::size_t i = 0; i < moved_.size(); ++i) {
@@ -290,7 +414,7 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
     part.bend_bound = 2.0 * turned * bounds_[i];
     part.along = [&motion, i](double s) { return motion.poseOf(i, s); };
   }
-  return ask(true) && !ownPartsTouch(from, to);
+  return meetsNothing(true) && !ownPartsTouch(from, to);
 }
 
 std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {

@@ -94,8 +94,11 @@ class FreeSpace {
  private:
   struct Plan;
   explicit FreeSpace(std::shared_ptr<const Plan> plan);
-  bool ask(bool moves);
-  bool ownPartsTouch();
+  bool standsFree(const EntityConfiguration& at);
+  bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
+  bool meetsNothing(bool moves);
+  bool keptApart(std::size_t own, const EntityConfiguration& at) const;
+  bool ownPartsTouch(const EntityConfiguration& at);
   bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 

@@ -49,7 +49,7 @@ constexpr double kLeastLever = 0.05;
 /// pose, turns times the radius.
 class Coordinates {
  public:
-  Coordinates(FreeSpace space, const SearchJob& job) : space_(std::move(space)), start_(job.start) {
+  Coordinates(const FreeSpace& space, const SearchJob& job) : space_(space), start_(job.start) {
     if (space_.hasJoints()) {
       setJointRanges(job);
     } else {
@@ -162,7 +162,7 @@ class Coordinates {
     box_.max += 2.0 * space_.radius();
   }
 
-  FreeSpace space_;
+  const FreeSpace& space_;  ///< Not asked: of several threads.
   EntityConfiguration start_;
   std::vector<double> lower_, upper_, lever_;
   geometry::Bounds box_;
@@ -346,7 +346,7 @@ std::vector<SearchKind> shippedKinds() {
 class Race {
  public:
   Race(const FreeSpace& space, const SearchJob& job)
-      : space_(space), job_(job), coordinates_(space.fresh(), job), kinds_(job.kinds) {
+      : space_(space), job_(job), coordinates_(space, job), kinds_(job.kinds) {
     if (kinds_.empty()) kinds_ = shippedKinds();
   }
 

@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -34,7 +36,7 @@ PlanGoalForm::PlanGoalForm(Host& host, QWidget* parent) : QWidget(parent) {
   column->setSpacing(6);
   kind_ = new QComboBox;
   kind_->setObjectName("choicePlanGoal");
-  kind_->addItems({tr("Pose"), tr("Frame"), tr("Joints"), tr("Out of the cell")});
+  offer({kPose, kFrame, kJoints, kOut});
   addRow(*column, tr("Goal"), kind_);
   pose_page_ = new QWidget;
   auto* rows = new QVBoxLayout(pose_page_);
@@ -63,8 +65,25 @@ PlanGoalForm::PlanGoalForm(Host& host, QWidget* parent) : QWidget(parent) {
   showKind();
 }
 
+void PlanGoalForm::offer(const std::vector<Kind>& kinds) {
+  const QString words[] = {tr("Pose"), tr("Frame"), tr("Joints"), tr("Out of the cell")};
+  const QVariant chosen = kind_->currentData();
+  const QSignalBlocker quiet(kind_);
+  kind_->clear();
+  for (const Kind kind : kinds) kind_->addItem(words[kind], static_cast<int>(kind));
+  kind_->setCurrentIndex(std::max(0, kind_->findData(chosen)));
+}
+
+void PlanGoalForm::offerFor(const workcell::Entity& entity) {
+  const bool by_joints = entity.robot() != nullptr;
+  const Kind own = by_joints ? kJoints : kOut;
+  if (kind_->count() == 3 && kind_->findData(static_cast<int>(own)) >= 0) return;
+  offer({kPose, kFrame, own});
+  showKind();
+}
+
 void PlanGoalForm::showKind() {
-  const int kind = kind_->currentIndex();
+  const int kind = kind_->currentData().toInt();
   pose_page_->setVisible(kind == kPose);
   frame_row_->setVisible(kind == kFrame);
   joints_row_->setVisible(kind == kJoints);
@@ -82,7 +101,7 @@ void PlanGoalForm::take(const workcell::Entity& entity) {
 }
 
 Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity) const {
-  const int kind = kind_->currentIndex();
+  const int kind = kind_->currentData().toInt();
   if (kind == kOut) return planning::Goal(planning::goal::OutOfCell{});
   if (kind == kFrame) {
     const auto X_WT = frame_->frame_W();

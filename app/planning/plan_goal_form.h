@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <array>
+#include <vector>
 
 #include "geometry/system/error.h"
 #include "planning/problem.h"
@@ -25,8 +26,11 @@ class PlanGoalForm : public QWidget {
   enum Kind { kPose, kFrame, kJoints, kOut };
   explicit PlanGoalForm(Host& host, QWidget* parent = nullptr);
 
-  /// The goal for an entity. Errors: joints that are no numbers or too few, no frame in the cell, joints for a solid, or
-  /// out of the cell for a robot.
+  /// Offers the kinds of goals that the entity may have: joints for a robot or mechanism, out of the cell for a solid.
+  /// At first all are offered.
+  void offerFor(const workcell::Entity& entity);
+  /// The goal for an entity that offerFor() was called for. Errors: joints that are no numbers, too few or too many; no
+  /// frame is chosen, or it no longer exists.
   Expected<planning::Goal> goal(const workcell::Entity& entity) const;
 
  signals:
@@ -37,6 +41,7 @@ class PlanGoalForm : public QWidget {
   void take(const hapticell::workcell::Entity& entity);
 
  private:
+  void offer(const std::vector<Kind>& kinds);
   void showKind();
   QComboBox* kind_;
   std::array<ValueField*, 6> pose_{};

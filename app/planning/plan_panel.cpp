@@ -5,6 +5,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "app/controls/reference_choice.h"
 #include "app/host/document_model.h"
@@ -133,12 +134,13 @@ void PlanPanel::plan() {
   PathRequest request;
   request.scenes = host_.scenes();
   request.configuration = host_.configuration();
-  request.source = manipulation::sourceOf(host_.documentModel().document(),
-                                          manipulation::pairDefaults(host_.configuration()));
+  request.source =
+      manipulation::sourceOf(host_.documentModel().document(), manipulation::pairDefaults(host_.configuration()));
   request.problem.entity = id_;
   request.problem.goal = *goal;
   request.problem.clearance = 0.001 * clearance_->value();
-  request.problem.seed = static_cast<std::uint64_t>(seed_->value());
+  planned_seed_ = static_cast<std::uint64_t>(seed_->value());
+  request.problem.seed = planned_seed_;
   request.problem.time_limit_s = time_->value();
   if (const auto X_WT = through_->frame_W()) request.problem.through.push_back(*X_WT);
   planner_.start(std::move(request));
@@ -155,13 +157,13 @@ void PlanPanel::take(const PathAnswer& answer) {
     return refresh();
   }
   trajectory::Trajectory motion = *answer.motion;
-  motion.take = tr("Path, seed %1").arg(seed_->value(), 0, 'f', 0).toStdString();
+  motion.take = tr("Path, seed %1").arg(planned_seed_).toStdString();
   last_ = tr("Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.")
               .arg(1000.0 * answer.clearance, 0, 'f', 1)
               .arg(shownText(answer.clearance_place))
               .arg(1000.0 * answer.result.plan->length, 0, 'f', 0)
               .arg(motion.duration(), 0, 'f', 1)
-              .arg(seed_->value(), 0, 'f', 0);
+              .arg(planned_seed_);
   if (!answer.result.note.empty()) last_ += QLatin1Char(' ') + shownText(answer.result.note);
   host_.recording().deliver({std::move(motion)});
   refresh();
@@ -186,6 +188,10 @@ void PlanPanel::refresh() {
   plan_->setEnabled(one && !busy);
   stop_->setEnabled(busy);
   goal_->setEnabled(one && !busy);
+  if (one) goal_->offerFor(*one);
+  for (QWidget* setting : std::initializer_list<QWidget*>{through_, clearance_, seed_, time_}) {
+    setting->setEnabled(!busy);
+  }
   bar_->setValue(static_cast<int>(100.0 * planner_.progress()));
   says_->setText(busy ? tr("Planning…") : last_);
   show_blocker_->setEnabled(!blocker_.empty() && host_.documentModel().document().findByName(blocker_));

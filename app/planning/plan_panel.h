@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
 
 #include "app/planning/path_planner.h"
 #include "workcell/entity/entity.h"
@@ -37,10 +38,11 @@ class PlanPanel : public QWidget {
 
   Host& host_;
   PathPlanner planner_;
-  workcell::EntityId id_ = 0;  ///< What is planned for; stays when what blocks is selected.
-  int number_ = 0;             ///< Of the document that is planned in.
-  QString last_;               ///< How the last plan ended.
-  std::string blocker_;        ///< Name of the entity that blocks; empty: none.
+  workcell::EntityId id_ = 0;       ///< What is planned for; stays when what blocks is selected.
+  int number_ = 0;                  ///< Of the document that is planned in.
+  std::uint64_t planned_seed_ = 0;  ///< Of the plan that runs, or ended last.
+  QString last_;                    ///< How the last plan ended.
+  std::string blocker_;             ///< Name of the entity that blocks; empty: none.
   QLabel* name_;
   PlanGoalForm* goal_;
   ReferenceChoice* through_;

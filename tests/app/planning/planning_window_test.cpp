@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <memory>
 
+#include "geometry/shapes/shapes.h"
 #include "tests/app/pages/plan_page.h"
 
 namespace hapticell::app {
@@ -53,6 +55,23 @@ TEST(PlanDock, JointsThatAreMissingAreAskedFor) {
   page.typeJoints("1; 2");
   EXPECT_TRUE(page.planned().contains("6 numbers"));
   EXPECT_EQ(page.motions(), 0u);
+}
+
+TEST(PlanDock, OffersTheGoalsThatTheChosenEntityMayHave) {
+  PlanPage page;
+  page.openDock();
+  const auto* choice = page.find<QComboBox>("choicePlanGoal");
+  ASSERT_NE(choice, nullptr);
+  ASSERT_NE(page.addRobot("kuka_kr16_2"), 0u);
+  EXPECT_GE(choice->findText("Joints"), 0);
+  EXPECT_LT(choice->findText("Out of the cell"), 0) << "a robot stands where it stands";
+  workcell::Entity box;
+  box.name = "box";
+  box.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.1, 0.1, 0.1}))};
+  box.X_WE.p = {3.0, 0.0, 0.5};
+  ASSERT_NE(page.add(std::move(box)), 0u);
+  EXPECT_LT(choice->findText("Joints"), 0);
+  EXPECT_GE(choice->findText("Out of the cell"), 0);
 }
 
 }  // namespace
