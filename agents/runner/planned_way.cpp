@@ -16,9 +16,11 @@ namespace {
 constexpr std::size_t kMostChecks = 30'000;
 /// s; only the checks end a search, so that answers do not depend on the machine.
 constexpr double kNoTimeLimit = 1e6;
-/// m, radii of the ball that stands for a hand, tried in this order: a hand with its fingers spread, one that grasps, a
-/// flat one. Half: ways that no hand takes; twice: no way into a trunk.
-constexpr double kHandRadii[] = {0.07, 0.05, 0.035};
+/// m, radii of the ball that stands for a hand, tried in this order: from a hand whose fingers may point anywhere to one
+/// that grasps. Half: the fingers are caught where the ball passes; twice: no way into a trunk.
+constexpr double kHandRadii[] = {0.12, 0.09, 0.06, 0.04};
+/// Shares of the straight way back to the run's start where a way may begin: a hand that is caught draws back first.
+constexpr double kBack[] = {0.0, 0.15, 0.3, 0.5, 0.75, 1.0};
 /// Of the goal's tolerances, within which a planned goal lies. Half: fewer goals; twice: ends outside.
 constexpr double kWithin = 0.5;
 
@@ -104,17 +106,32 @@ std::shared_ptr<const manipulation::PreparedScene> sceneOfBall(const AgentCell& 
 PlannedWay ofHand(const AgentCell& cell, const MovedBody& body, const AgentGoal& goal, std::uint64_t seed,
                   const std::atomic<bool>* stop) {
   PlannedWay planned;
+  const dvec3 p_WHere = body.handle().p, p_WStart = cell.start().handle().p;
   for (const double radius : kHandRadii) {
     workcell::EntityId ball = 1;
-    auto scene = sceneOfBall(cell, body, radius, ball);
-    planning::Problem problem = problemFor(cell, std::move(scene), ball, seed, stop);
-    problem.goal = planning::goal::ToPose{Pose::translation(goal.p_WG)};
-    const auto found = solve(std::move(problem), planned.why);
-    if (!found) continue;
-    std::vector<FollowedWay::Stop> stops;
-    for (std::size_t i = 1; i < found->size(); ++i) stops.push_back({{(*found)[i].X_WE.p, body.handle().q}, {}});
-    planned.way = FollowedWay(std::move(stops), false);
-    return planned;
+    const auto scene = sceneOfBall(cell, body, radius, ball);
+    for (const double back : kBack) {
+      planning::Problem problem = problemFor(cell, scene, ball, seed, stop);
+      const dvec3 p_WFrom = p_WHere + back * (p_WStart - p_WHere);
+      problem.start = planning::EntityConfiguration{Pose::translation(p_WFrom), {}};
+      problem.goal = planning::goal::ToRegion{Pose::translation(goal.p_WG), dvec3(radius), 0.0};
+      const auto answer = planning::plan(problem);
+      if (!answer) {
+        planned.why = Text("%1", answer.error().message());
+        return planned;
+      }
+      if (answer->failure) {
+        planned.why = answer->failure->reason;
+        const bool start = answer->failure->kind == planning::Failure::Kind::kStart;
+        if (start) continue;
+        break;
+      }
+      std::vector<FollowedWay::Stop> stops;
+      for (const planning::EntityConfiguration& at : answer->plan->waypoints)
+        stops.push_back({{at.X_WE.p, body.handle().q}, {}});
+      planned.way = FollowedWay(std::move(stops), false);
+      return planned;
+    }
   }
   return planned;
 }

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/agents/agents_dock.h"
 #include "app/controls/refresh_timer.h"
 #include "app/controls/strip_chart.h"
 #include "app/edit/edit_docks.h"
@@ -111,6 +112,7 @@ void addPanels(Host& host) {
   addErgonomicsDocks(host);
   addEditDocks(host);
   addStudiesDocks(host);
+  addAgentsDock(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   QObject::connect(&refreshTimer(host), &QTimer::timeout, workcell, [&host, workcell, properties] {
