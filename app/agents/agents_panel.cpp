@@ -389,7 +389,14 @@ void AgentsPanel::adopt() {
 void AgentsPanel::keepMotion() {
   if (!session_) return;
   session_->pause();
-  host_.recording().deliver({session_->motion()});
+  trajectory::Trajectory motion = session_->motion();
+  // A take of its own: two runs were not recorded together.
+  const auto& document = host_.documentModel().document().state();
+  int number = 0;
+  do {
+    motion.take = tr("agents %1").arg(++number).toStdString();
+  } while (document.findTrajectory(motion.entity + ", " + motion.take));
+  host_.recording().deliver({std::move(motion)});
 }
 
 void AgentsPanel::saveWishes() {

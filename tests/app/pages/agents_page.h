@@ -4,7 +4,10 @@
 #include <QCheckBox>
 #include <QSlider>
 #include <filesystem>
+#include <set>
 
+#include "agents/wishes/agent.h"
+#include "app/agents/agent_setup.h"
 #include "app/agents/agents_panel.h"
 #include "config/configuration.h"
 #include "tests/app/pages/robot_page.h"
@@ -54,10 +57,13 @@ class AgentsPage : public RobotPage {
   static void rest() {
     until([] { return false; }, 150);
   }
+  /// Arrows of agents; frames and guides of the cell have labels too.
   std::size_t arrows() {
+    std::set<std::string> names;
+    for (const agents::AgentKind& kind : agents::agentKinds()) names.insert(agentName(kind.name).toStdString());
     const auto curves = window().viewport().allCurves();
     return static_cast<std::size_t>(
-        std::count_if(curves.begin(), curves.end(), [](const SceneCurve& curve) { return !curve.text.empty(); }));
+        std::count_if(curves.begin(), curves.end(), [&](const SceneCurve& curve) { return names.contains(curve.text); }));
   }
 };
 
