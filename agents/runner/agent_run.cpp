@@ -27,8 +27,6 @@ constexpr double kWayTime = 0.5;
 /// Deadlocks of a run that the operator takes before the planner is asked. Half: a person is hardly asked; twice: tries
 /// for long what does not help.
 constexpr int kOperatorTries = 2;
-/// Ways that are asked for in a run. Half: gives up where the third way works; twice: no more runs are solved.
-constexpr int kMostPlans = 6;
 
 std::uint64_t seedOf(const RunOptions& options, std::uint64_t number, std::uint64_t use) {
   SeededNumbers mixed(options.seed * 0x9E3779B97F4A7C15u + number * 8u + use);

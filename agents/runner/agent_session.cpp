@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "agents/runner/agent_session.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -62,7 +63,7 @@ struct AgentSession::Work {
   void step(std::unique_lock<std::mutex>& lock);
   void plan(std::unique_lock<std::mutex>& lock);
   void show();
-  void tellDeadlock();
+  void meetDeadlock();
   bool isSeen() const;
   double remaining() const { return loop.way() != nullptr ? loop.way()->remaining(loop.body()) : loop.remaining(); }
 
@@ -77,6 +78,7 @@ struct AgentSession::Work {
   std::map<std::string, Weighting> weightings;
   std::optional<Twist> hand;
   std::optional<double> wait_for_hand;
+  int plans_left = 0;  ///< Deadlocks that go to the planner without a question.
   RunRecorder recorder;  ///< Written by the thread of the run alone.
   // Of the thread of the run.
   AgentLoop loop;
@@ -105,14 +107,20 @@ void AgentSession::Work::show() {
   for (const FollowedWay::Stop& stop : loop.way()->stops()) state.way_W.push_back(stop.X_WM.p);
 }
 
-void AgentSession::Work::tellDeadlock() {
+/// Under the lock.
+void AgentSession::Work::meetDeadlock() {
+  ++state.deadlocks;
+  if (plans_left > 0) {
+    state.phase = Phase::kPlanning;
+    state.says = {};
+    return;
+  }
   Text nearest("nothing is near");
   for (const NearPair& pair : loop.near()) {
     if (pair.other_link >= 0) continue;
     nearest = Text("nearest: %1, %2", loop.clearances().wordsOf(pair), Text::Length{pair.distance});
     break;
   }
-  ++state.deadlocks;
   state.phase = Phase::kDeadlocked;
   state.says = Text("No progress, %1 from the goal (%2). Hand it over to the planner, or lead it by hand.",
                     Text::Length{loop.remaining()}, nearest);
@@ -127,6 +135,7 @@ void AgentSession::Work::step(std::unique_lock<std::mutex>& lock) {
     if (agent.name == "operator") static_cast<OperatorAgent&>(*agent.agent).setHand(hand);
   }
   const bool by_hand = hand.has_value();
+  if (by_hand) plans_left = 0;
   lock.unlock();
   loop.step();
   const bool arrived = loop.hasArrived() && isSeen();
@@ -145,15 +154,17 @@ void AgentSession::Work::step(std::unique_lock<std::mutex>& lock) {
     watch.restart(loop.t(), remaining(), wait_for_hand.value_or(kSessionWayTime));
     wait_for_hand.reset();
   }
-  if (watch.update(loop.t(), loop.body().handle().p, remaining()) && state.phase == Phase::kRunning) tellDeadlock();
+  if (watch.update(loop.t(), loop.body().handle().p, remaining()) && state.phase == Phase::kRunning) meetDeadlock();
 }
 
 void AgentSession::Work::plan(std::unique_lock<std::mutex>& lock) {
   const std::uint64_t now = seed + static_cast<std::uint64_t>(state.plans++);
+  plans_left = std::max(0, plans_left - 1);
   lock.unlock();
   PlannedWay planned = planWay(*cell, loop.body(), loop.goal(), now, &ends);
   lock.lock();
   if (!planned.way) {
+    plans_left = 0;
     state.phase = Phase::kDeadlocked;
     state.says = Text("The planner finds no way: %1. Lead it by hand, or change the weights.", planned.why);
     return;
@@ -213,6 +224,7 @@ void AgentSession::run() {
 
 void AgentSession::pause() {
   const std::lock_guard lock(work_->mutex);
+  work_->plans_left = 0;
   if (work_->state.phase == Phase::kRunning) work_->state.phase = Phase::kPaused;
 }
 
@@ -239,6 +251,8 @@ void AgentSession::askPlanner() {
   const std::lock_guard lock(work_->mutex);
   if (work_->state.phase == Phase::kPlanning || work_->state.phase == Phase::kArrived) return;
   work_->state.phase = Phase::kPlanning;
+  work_->state.says = {};
+  work_->plans_left = kMostPlans;
   work_->wanted.notify_all();
 }
 
@@ -248,6 +262,7 @@ void AgentSession::takeByHand() {
   work_->state.phase = Phase::kRunning;
   work_->state.says = {};
   work_->wait_for_hand = kHandTime;
+  work_->plans_left = 0;
   work_->wanted.notify_all();
 }
 

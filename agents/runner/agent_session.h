@@ -51,8 +51,9 @@ class AgentSession {
   void setAgent(const std::string& name, bool enabled, double weight);
   /// What a person's hand wants of the moved frame (m/s, rad/s); it stays until the next call. Empty: the hand is away.
   void setHand(const std::optional<Twist>& velocity);
+  /// Also at the deadlocks on its way, kMostPlans times in all or until the hand leads, pause() or takeByHand().
   void askPlanner();
-  /// Goes on, and waits for the hand: no deadlock is told for ten seconds.
+  /// Goes on, and waits for the hand: no deadlock counts for ten seconds.
   void takeByHand();
 
   State state() const;

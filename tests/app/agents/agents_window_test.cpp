@@ -49,12 +49,16 @@ TEST(AgentsDock, ADeadlockGoesToThePlannerAndTheResultIsOneStepOfUndo) {
   page.click("buttonAgentsStart");
   ASSERT_TRUE(page.untilPhase(Phase::kDeadlocked));
   EXPECT_TRUE(page.words("labelAgentsSay").contains("sill")) << page.words("labelAgentsSay").toStdString();
-  const double stuck = page.state()->remaining;
   page.click("buttonAgentsPlanner");
   ASSERT_TRUE(AgentsPage::until([&] { return page.state()->phase != Phase::kPlanning; }, AgentsPage::kRunPatience));
   EXPECT_FALSE(page.state()->way_W.empty()) << page.words("labelAgentsSay").toStdString();
-  AgentsPage::until([&] { return page.state()->phase != Phase::kRunning; }, AgentsPage::kRunPatience);
-  EXPECT_LT(page.state()->remaining, stuck - 0.1) << "the way leads over the sill";
+  // The body may be caught on the way of its hand; then the planner is asked for the next one.
+  const auto is_over = [&] {
+    return page.state()->phase != Phase::kRunning && page.state()->phase != Phase::kPlanning;
+  };
+  ASSERT_TRUE(AgentsPage::until(is_over, AgentsPage::kRunPatience));
+  EXPECT_EQ(page.state()->phase, Phase::kArrived)
+      << page.words("labelAgentsSay").toStdString() << " after " << page.state()->plans << " plans";
   AgentsPage::rest();
   ASSERT_TRUE(page.clickForStep("buttonAgentsAdopt"));
   EXPECT_NE(page.joints(), before);
