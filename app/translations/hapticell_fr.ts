@@ -13263,6 +13263,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
+        <source>agents %1</source>
+        <translation>agents %1</translation>
+    </message>
+    <message>
         <source>all of the library</source>
         <translation>toute la bibliothèque</translation>
     </message>
