@@ -49,9 +49,12 @@ TEST(AgentsDock, ADeadlockGoesToThePlannerAndTheResultIsOneStepOfUndo) {
   page.click("buttonAgentsStart");
   ASSERT_TRUE(page.untilPhase(Phase::kDeadlocked));
   EXPECT_TRUE(page.words("labelAgentsSay").contains("sill")) << page.words("labelAgentsSay").toStdString();
+  page.keepLook("agents-deadlock");
   page.click("buttonAgentsPlanner");
   ASSERT_TRUE(AgentsPage::until([&] { return page.state()->phase != Phase::kPlanning; }, AgentsPage::kRunPatience));
   EXPECT_FALSE(page.state()->way_W.empty()) << page.words("labelAgentsSay").toStdString();
+  AgentsPage::rest();
+  page.keepLook("agents-way");
   // The body may be caught on the way of its hand; then the planner is asked for the next one.
   const auto is_over = [&] {
     return page.state()->phase != Phase::kRunning && page.state()->phase != Phase::kPlanning;

@@ -57,6 +57,11 @@ class AgentsPage : public RobotPage {
   static void rest() {
     until([] { return false; }, 150);
   }
+  /// Saves a picture of the window to HAPTICELL_LOOK_FOLDER, where that is given.
+  void keepLook(const char* name) {
+    const QString folder = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER");
+    if (!folder.isEmpty()) window().grab().save(folder + '/' + QLatin1String(name) + ".png");
+  }
   /// Arrows of agents; frames and guides of the cell have labels too.
   std::size_t arrows() {
     std::set<std::string> names;
