@@ -47,7 +47,9 @@ bool AgentLoop::step() {
   bendAlong(v);
   cutToSpeeds(v);
   t_ += kStep;
-  return makeStep(std::move(v));
+  const bool moved = makeStep(std::move(v));
+  way_.update(*body_);
+  return moved;
 }
 
 std::vector<double> AgentLoop::sumOfWishes() {

@@ -42,6 +42,10 @@ class AgentLoop {
   double t() const { return t_; }
   const AgentGoal& goal() const { return goal_; }
   void setGoal(const AgentGoal& goal) { goal_ = goal; }
+  /// From now on the goal agent follows this way; at its end it goes straight to the goal again. An empty one ends it.
+  void setWay(FollowedWay way) { way_ = std::move(way); }
+  /// The way that is followed; null: none.
+  const FollowedWay* way() const { return way_.isDone() ? nullptr : &way_; }
   std::vector<WeightedAgent>& agents() { return agents_; }
   /// One an agent, of the last step.
   const std::vector<ShownWish>& wishes() const { return wishes_; }
@@ -62,13 +66,14 @@ class AgentLoop {
   void cutToSpeeds(std::vector<double>& v) const;
   bool makeStep(std::vector<double> v);
   double clearanceOf(const NearPair& pair) const;
-  AgentView view() const { return {*body_, clearances_.near(), goal_, lines_, t_, kStep}; }
+  AgentView view() const { return {*body_, clearances_.near(), goal_, lines_, t_, kStep, way()}; }
 
   std::unique_ptr<MovedBody> body_;
   Clearances clearances_;
   LineOfSight lines_;
   std::vector<WeightedAgent> agents_;
   AgentGoal goal_;
+  FollowedWay way_;
   double clearance_;
   double t_ = 0.0;
   std::vector<ShownWish> wishes_;

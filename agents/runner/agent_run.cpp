@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/runner/planned_way.h"
 #include "agents/task/agent_section.h"
 #include "agents/wishes/seeded_numbers.h"
 #include "manipulation/checks/mannequin_sight.h"
@@ -21,6 +22,11 @@ constexpr int kStepsPerLook = 10;
 constexpr int kStartTries = 50;
 /// s that an operator may take to draw back and choose another way before the next deadlock counts.
 constexpr double kOperatorTime = 2.0;
+/// s in which agents get going along a way before the next deadlock counts.
+constexpr double kWayTime = 0.5;
+/// Deadlocks of a run that the operator takes before the planner is asked. Half: a person is hardly asked; twice: tries
+/// for long what does not help.
+constexpr int kOperatorTries = 2;
 
 std::uint64_t seedOf(const RunOptions& options, std::uint64_t number, std::uint64_t use) {
   SeededNumbers mixed(options.seed * 0x9E3779B97F4A7C15u + number * 8u + use);
@@ -80,7 +86,11 @@ AgentLoop loopOf(const AgentCell& cell, std::uint64_t number, RunMode mode, cons
 }  // namespace
 
 AgentRun::AgentRun(const AgentCell& cell, std::uint64_t number, RunMode mode, const RunOptions& options)
-    : cell_(cell), mode_(mode), loop_(loopOf(cell, number, mode, options)) {
+    : cell_(cell),
+      mode_(mode),
+      seed_(seedOf(options, number, 4)),
+      planner_(options.planner && mode != RunMode::kOperator),
+      loop_(loopOf(cell, number, mode, options)) {
   result_.number = number;
   result_.mode = mode;
   result_.clearance_m = loop_.nearestObstacle();
@@ -102,6 +112,7 @@ bool AgentRun::step() {
 }
 
 double AgentRun::remaining() const {
+  if (loop_.way() != nullptr) return loop_.way()->remaining(loop_.body());
   if (!loop_.hasArrived()) return loop_.remaining();
   return loop_.goal().tolerance * (2.0 - result_.seen);  // Only sight is missing.
 }
@@ -117,6 +128,10 @@ void AgentRun::judge() {
                           static_cast<int>(std::lround(cell_.task().time_limit)), Text::Length{loop_.remaining()});
     return;
   }
+  if (on_way_ != (loop_.way() != nullptr)) {
+    on_way_ = loop_.way() != nullptr;
+    watch_.restart(loop_.t(), remaining(), kWayTime);
+  }
   if (watch_.update(loop_.t(), loop_.body().handle().p, remaining())) onDeadlock();
 }
 
@@ -130,7 +145,23 @@ void AgentRun::onDeadlock() {
     nearest = Text("nearest: %1, %2", loop_.clearances().wordsOf(pair), Text::Length{pair.distance});
     if (pair.other_link < 0) break;
   }
-  const std::string taken_by = loop_.handOverDeadlock();
+  std::string taken_by;
+  if (!planner_ || result_.deadlocks <= kOperatorTries) taken_by = loop_.handOverDeadlock();
+  Text why;
+  if (taken_by.empty() && planner_ && followPlan(why)) {
+    result_.handed_over.push_back(
+        Text("no progress, %1 from the goal (%2); handed to the planner, whose way is followed", left, nearest));
+    return;
+  }
+  if (taken_by.empty()) taken_by = loop_.handOverDeadlock();
+  if (taken_by.empty() && !why.empty()) {
+    over_ = true;
+    result_.reason =
+        Text("no progress, %1 from the goal (%2), and the planner finds no way: %3; lead it by hand from here", left,
+             nearest, why);
+    result_.handed_over.push_back(result_.reason);
+    return;
+  }
   if (taken_by.empty()) {
     over_ = true;
     result_.reason = Text("no progress, %1 from the goal (%2); lead it by hand from here, or plan a path", left,
@@ -141,6 +172,24 @@ void AgentRun::onDeadlock() {
   result_.handed_over.push_back(
       Text("no progress, %1 from the goal (%2); handed to the %3", left, nearest, taken_by));
   watch_.restart(loop_.t(), remaining(), kOperatorTime);
+}
+
+bool AgentRun::followPlan(Text& why) {
+  if (plans_asked_ >= kMostPlans) {
+    why = Text("it was asked %1 times", plans_asked_);
+    return false;
+  }
+  PlannedWay planned =
+      planWay(cell_, loop_.body(), loop_.goal(), seed_ + static_cast<std::uint64_t>(plans_asked_++));
+  if (!planned.way) {
+    why = std::move(planned.why);
+    return false;
+  }
+  ++result_.plans;
+  loop_.setWay(std::move(*planned.way));
+  on_way_ = loop_.way() != nullptr;
+  watch_.restart(loop_.t(), remaining(), kWayTime);
+  return true;
 }
 
 void AgentRun::look() {

@@ -22,10 +22,15 @@ class AgentRun {
   void judge();
   void look();
   void onDeadlock();
+  bool followPlan(Text& why);
   double remaining() const;
 
   const AgentCell& cell_;
   RunMode mode_;
+  std::uint64_t seed_;
+  bool planner_;
+  bool on_way_ = false;
+  int plans_asked_ = 0;
   RunResult result_;
   AgentLoop loop_;
   DeadlockWatch watch_;

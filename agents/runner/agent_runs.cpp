@@ -9,62 +9,11 @@
 #include <mutex>
 
 #include "agents/runner/agent_run.h"
+#include "agents/runner/run_recorder.h"
 #include "agents/task/agent_section.h"
 #include "geometry/system/listed.h"
-#include "trajectory/motion/number_text.h"
 
 namespace hapticell::agents {
-
-namespace {
-
-/// The motion of a run: a mannequin as a whole, with all joints; a robot by its tool; a solid by its middle.
-class Recorder {
- public:
-  explicit Recorder(const AgentCell& cell) {
-    motion_.name = cell.task().name;
-    motion_.entity = cell.entity().name;
-    const bool figure = cell.entity().figure() != nullptr;
-    whole_ = figure;
-    motion_.moved = "geometric_center";
-    if (figure) motion_.moved = "whole";
-    if (cell.entity().robot() == nullptr) return;
-    if (!figure) motion_.moved = "tcp";
-    for (const int joint : cell.entity().robot()->moving)
-      motion_.joint_names.push_back(cell.entity().robot()->joints[static_cast<std::size_t>(joint)].name);
-  }
-
-  void add(const AgentLoop& loop) {
-    const manipulation::EntityConfiguration& at = loop.body().configuration();
-    trajectory::Trajectory::Frame frame;
-    frame.t = loop.t();
-    frame.X_WT = whole_ ? at.X_WE : loop.body().handle();
-    motion_.addFrame(frame, at.joints);
-  }
-
-  void addWishes(const AgentLoop& loop) {
-    if (csv_.empty()) {
-      csv_ = "t";
-      for (const ShownWish& wish : loop.wishes()) {
-        for (const char* column : {"_x", "_y", "_z", "_strength"}) csv_ += "," + wish.name + column;
-      }
-      csv_ += "\n";
-    }
-    csv_ += trajectory::shortestText(loop.t());
-    for (const ShownWish& wish : loop.wishes()) {
-      for (const double value : {wish.arrow_W.x, wish.arrow_W.y, wish.arrow_W.z, wish.strength})
-        csv_ += "," + trajectory::shortestText(value);
-    }
-    csv_ += "\n";
-  }
-
-  trajectory::Trajectory motion_;
-  std::string csv_;
-
- private:
-  bool whole_ = false;
-};
-
-}  // namespace
 
 RunResult runOnce(const AgentCell& cell, std::uint64_t number, RunMode mode, const RunOptions& options) {
   AgentRun run(cell, number, mode, options);
@@ -75,14 +24,14 @@ RunResult runOnce(const AgentCell& cell, std::uint64_t number, RunMode mode, con
 
 RecordedRun recordRun(const AgentCell& cell, std::uint64_t number, RunMode mode, const RunOptions& options) {
   AgentRun run(cell, number, mode, options);
-  Recorder recorder(cell);
+  RunRecorder recorder(cell);
   recorder.add(run.loop());
   for (bool goes_on = true; goes_on;) {
     goes_on = run.step();
     recorder.add(run.loop());
     recorder.addWishes(run.loop());
   }
-  return {run.finish(), std::move(recorder.motion_), std::move(recorder.csv_)};
+  return {run.finish(), recorder.motion(), recorder.wishes()};
 }
 
 Expected<void> checkWeights(const AgentTask& task, const RunOptions& options) {

@@ -21,6 +21,7 @@ struct RunResult {
   double remaining_m = 0.0;  ///< At the end.
   double clearance_m = 0.0;  ///< Least distance to the cell in all steps, at most 0.15.
   int deadlocks = 0;
+  int plans = 0;                            ///< Ways of the planner that were followed.
   std::vector<Text> handed_over;            ///< A sentence for each deadlock.
   std::map<std::string, double> strengths;  ///< Mean strength of each agent's wishes.
   // Of a mannequin, at the end; else 0.
@@ -35,6 +36,7 @@ struct RunResult {
 struct RunOptions {
   std::uint64_t seed = 1;
   std::map<std::string, double> weights = {};  ///< By agent, instead of the task's; 0: off.
+  bool planner = true;  ///< Whether a deadlock that no agent takes in hand goes to the planner.
 };
 
 /// A run with its motion and the wishes of all steps.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "agents/task/agent_section.h"
 
+#include "agents/task/section_reader.h"
+
 namespace hapticell::agents {
 
 SectionReader::SectionReader(const AgentSection& section)
-    : SectionReader(*section.table, "agent '" + section.kind + "'", section.file) {
+    : SectionReader(section.table->toml, "agent '" + section.kind + "'", section.file) {
   std::string known;
   double weight = 0.0;
   bool enabled = true;
@@ -27,7 +29,7 @@ Expected<void> SectionReader::check() const {
 
 Error AgentSection::fault(Text found, Text expected, Text fix) const {
   return {.file = file.string(),
-          .place = Text("line %1, agent '%2'", table->source().begin.line, kind),
+          .place = Text("line %1, agent '%2'", table->toml.source().begin.line, kind),
           .found = std::move(found),
           .expected = std::move(expected),
           .fix = std::move(fix)};

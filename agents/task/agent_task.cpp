@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
 
@@ -95,7 +95,7 @@ class AgentTaskReader {
       const toml::table& table = *tables->get(i)->as_table();
       SectionReader reader(table, "agent", task_.file);
       AgentSection section;
-      section.table = &table;
+      section.table = std::make_shared<const AgentTable>(AgentTable{table});
       section.file = task_.file;
       reader.fields().require("what");
       reader.fields().read("what", section.kind);

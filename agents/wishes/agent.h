@@ -10,6 +10,7 @@
 #include "agents/body/line_of_sight.h"
 #include "agents/body/moved_body.h"
 #include "agents/task/agent_task.h"
+#include "agents/wishes/followed_way.h"
 
 namespace hapticell::agents {
 
@@ -21,6 +22,7 @@ struct AgentView {
   const LineOfSight& cell;
   double t = 0.0;    ///< s since the start.
   double dt = 0.02;  ///< s of a step.
+  const FollowedWay* way = nullptr;  ///< The planner's, while one is followed; else null.
 };
 
 /// m: pairs nearer than this are measured in each step, so no agent sees farther. Half: arms run towards obstacles and

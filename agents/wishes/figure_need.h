@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "agents/wishes/agent_makers.h"
 
 namespace hapticell::agents {

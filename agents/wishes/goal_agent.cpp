@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "agents/body/follow.h"
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "agents/wishes/agent_makers.h"
 
 namespace hapticell::agents {
@@ -17,13 +17,19 @@ dvec3 atMost(const dvec3& v, double most) {
   return length > most ? (most / length) * v : v;
 }
 
-/// Attraction: the moved frame goes straight to the goal.
+/// Attraction: the moved frame goes straight to the goal, or along the planner's way where one is followed.
 class GoalAgent final : public Agent {
  public:
   double speed = 0.25, turn_speed = 0.8;  // m/s, rad/s
 
   void wish(const AgentView& view, Wish& wish) override {
     const Pose& X_WM = view.body.handle();
+    if (view.way != nullptr) {
+      wish.v = view.way->velocities(view.body, speed, turn_speed);
+      wish.p_W = X_WM.p;
+      wish.arrow_W = velocityOf(view.body, view.body.handleLink(), X_WM.p, wish.v);
+      return;
+    }
     PointWish to{view.body.handleLink(), X_WM.p, {}, view.goal.q_WG.has_value()};
     to.velocity.linear = atMost(kApproach * (view.goal.p_WG - X_WM.p), speed);
     if (view.goal.q_WG)

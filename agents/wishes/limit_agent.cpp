@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "agents/body/follow.h"
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "agents/wishes/agent_makers.h"
 
 namespace hapticell::agents {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "agents/body/follow.h"
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "agents/wishes/agent_makers.h"
 
 namespace hapticell::agents {
@@ -17,6 +17,9 @@ constexpr double kStiffPoint = 0.01;
 /// potential functions for mobile robot path planning", 2000). Half: runs stop short of such goals; twice: hardly any
 /// repulsion in small cells.
 constexpr double kFade = 0.15;
+/// Share of the repulsion on the planner's way, which keeps the clearance by itself. Half: no change seen; twice:
+/// pushed off the way in narrow places.
+constexpr double kFadeOnWay = 0.2;
 
 /// Repulsion: the nearest point of each near pair moves straight away from it, the faster the nearer (a potential field,
 /// Khatib 1986, over exact distances).
@@ -28,7 +31,8 @@ class ObstacleAgent final : public Agent {
     const MovedBody& body = view.body;
     const auto screws = body.screws();
     std::vector<double> column(body.size()), sum(body.size(), 0.0);
-    const double fade = std::min(1.0, glm::length(view.goal.p_WG - body.handle().p) / kFade);
+    double fade = std::min(1.0, glm::length(view.goal.p_WG - body.handle().p) / kFade);
+    if (view.way != nullptr) fade = std::min(fade, kFadeOnWay);
     double shares = 0.0;
     for (const NearPair& pair : view.near) {
       if (pair.distance >= within || pair.other_link >= 0) continue;

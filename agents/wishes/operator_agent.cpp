@@ -2,7 +2,7 @@
 #include "agents/wishes/operator_agent.h"
 
 #include "agents/body/follow.h"
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 #include "agents/wishes/agent_makers.h"
 #include "agents/wishes/simulated_hand.h"
 

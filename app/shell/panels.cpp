@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "app/access/access_docks.h"
+#include "app/agents/agents_dock.h"
 #include "app/console/console_dock.h"
 #include "app/controls/refresh_timer.h"
 #include "app/controls/strip_chart.h"
@@ -119,6 +120,7 @@ void addPanels(Host& host) {
   addLiveDock(host);
   addConsoleDock(host);
   addAccessDocks(host);
+  addAgentsDock(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   QObject::connect(&refreshTimer(host), &QTimer::timeout, workcell, [&host, workcell, properties] {

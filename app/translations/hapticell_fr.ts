@@ -967,6 +967,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s à %2 s</translation>
     </message>
     <message>
+        <source>%1 s · %2 to the goal · nearest %3</source>
+        <translation>%1 s · %2 jusqu’au but · plus proche %3</translation>
+    </message>
+    <message>
         <source>%1 s · frames: %2</source>
         <translation>%1 s · images : %2</translation>
     </message>
@@ -2955,12 +2959,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Établi réglable</translation>
     </message>
     <message>
+        <source>Adopt the place</source>
+        <translation>Adopter la position</translation>
+    </message>
+    <message>
         <source>After</source>
         <translation>Après</translation>
     </message>
     <message>
         <source>Against</source>
         <translation>Contre</translation>
+    </message>
+    <message>
+        <source>Agents</source>
+        <translation>Agents</translation>
+    </message>
+    <message>
+        <source>Agents moved %1</source>
+        <translation>%1 déplacé par les agents</translation>
+    </message>
+    <message>
+        <source>Agents: switch, weight, wish</source>
+        <translation>Agents : interrupteur, poids, souhait</translation>
     </message>
     <message>
         <source>All</source>
@@ -3429,6 +3449,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Par</translation>
     </message>
     <message>
         <source>By hand</source>
@@ -3975,6 +3999,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Colonnes</translation>
     </message>
     <message>
+        <source>Comfort</source>
+        <translation>Confort</translation>
+    </message>
+    <message>
         <source>Command</source>
         <translation>Commande</translation>
     </message>
@@ -4473,6 +4501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Drag the arrows at the hand, or hold it with the stylus.</source>
         <translation>Tirez les flèches à la main, ou tenez-la avec le stylet.</translation>
+    </message>
+    <message>
+        <source>Drag the moved frame in the scene to lead.</source>
+        <translation>Tirez le repère mobile dans la scène pour mener.</translation>
     </message>
     <message>
         <source>Drag the stylus to move it · B: %1 · H: follow the mouse</source>
@@ -5387,6 +5419,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>But : ici</translation>
     </message>
     <message>
+        <source>Goal: pick a point</source>
+        <translation>But : désigner un point</translation>
+    </message>
+    <message>
+        <source>Goal: selected entity</source>
+        <translation>But : entité sélectionnée</translation>
+    </message>
+    <message>
         <source>Good</source>
         <translation>Bonne</translation>
     </message>
@@ -5467,6 +5507,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échantillons de Halton</translation>
     </message>
     <message>
+        <source>Hand</source>
+        <translation>Main</translation>
+    </message>
+    <message>
         <source>Hand breadth</source>
         <translation>Largeur de la main</translation>
     </message>
@@ -5485,6 +5529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Hand on the simulated stylus</source>
         <translation>Main sur le stylet simulé</translation>
+    </message>
+    <message>
+        <source>Hand over to the planner</source>
+        <translation>Confier au planificateur</translation>
     </message>
     <message>
         <source>Handle at</source>
@@ -5923,6 +5971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'a pas de parent</translation>
     </message>
     <message>
+        <source>It is at the goal. Adopt its place, or keep the motion.</source>
+        <translation>Le but est atteint. Adoptez la position, ou gardez le mouvement.</translation>
+    </message>
+    <message>
         <source>It is locked in place. Unlock it in the tree first.</source>
         <translation>Verrouillé sur place. Déverrouillez-le d'abord dans l'arbre.</translation>
     </message>
@@ -6069,6 +6121,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep position, wrist joint fixed</source>
         <translation>Garder la position, axe du poignet fixe</translation>
+    </message>
+    <message>
+        <source>Keep the motion</source>
+        <translation>Garder le mouvement</translation>
     </message>
     <message>
         <source>Keep the range between the brackets</source>
@@ -6253,6 +6309,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Limit</source>
         <translation>Butée</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
     </message>
     <message>
         <source>Limits and collisions along the whole motion</source>
@@ -6703,6 +6763,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
+        <source>Move the selected entity</source>
+        <translation>Déplacer l’entité sélectionnée</translation>
+    </message>
+    <message>
         <source>Move the stylus in all directions and press each button once.</source>
         <translation>Menez le stylet dans toutes les directions et pressez chaque bouton une fois.</translation>
     </message>
@@ -7151,6 +7215,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun programme n'a ouvert %1. Ouvrez-le dans un éditeur de texte.</translation>
     </message>
     <message>
+        <source>No progress, %1 from the goal (%2). Hand it over to the planner, or lead it by hand.</source>
+        <translation>Aucun progrès, à %1 du but (%2). Confiez-le au planificateur, ou menez à la main.</translation>
+    </message>
+    <message>
         <source>No recent contacts</source>
         <translation>Aucun contact récent</translation>
     </message>
@@ -7393,6 +7461,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Observing: another window controls the stylus</source>
         <translation>Observe : une autre fenêtre commande le stylet</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>Obstacles</translation>
     </message>
     <message>
         <source>Of the pull at full guidance</source>
@@ -7939,6 +8011,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pause</translation>
     </message>
     <message>
+        <source>Paused.</source>
+        <translation>En pause.</translation>
+    </message>
+    <message>
         <source>Payload</source>
         <translation>Charge admissible</translation>
     </message>
@@ -8049,6 +8125,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pick the point that the hand holds · Esc: end</source>
         <translation>Désignez le point que tient la main · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick the point to which it is to go</source>
+        <translation>Désignez le point à atteindre</translation>
     </message>
     <message>
         <source>Pick the point: a corner, an edge or a face</source>
@@ -8301,6 +8381,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Preparing the cell of the study…</source>
         <translation>Préparation de la cellule de l'étude…</translation>
+    </message>
+    <message>
+        <source>Preparing the cell…</source>
+        <translation>Préparation de la cellule…</translation>
     </message>
     <message>
         <source>Preparing the contacts was given up: what was changed is not felt yet</source>
@@ -9115,6 +9199,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer l'étude</translation>
     </message>
     <message>
+        <source>Save the wishes of the agents</source>
+        <translation>Enregistrer les souhaits des agents</translation>
+    </message>
+    <message>
+        <source>Save the wishes…</source>
+        <translation>Enregistrer les souhaits…</translation>
+    </message>
+    <message>
         <source>Save the workcell</source>
         <translation>Enregistrer la cellule</translation>
     </message>
@@ -9327,6 +9419,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
     </message>
     <message>
+        <source>Select a robot, a mannequin or a solid, and let it be moved.</source>
+        <translation>Sélectionnez un robot, un mannequin ou un solide, et faites-le déplacer.</translation>
+    </message>
+    <message>
         <source>Select a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -9405,6 +9501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Set start values nearer to an assembled pose.</source>
         <translation>Indiquez des valeurs de départ plus proches d'une pose assemblée.</translation>
+    </message>
+    <message>
+        <source>Set the goal, then start.</source>
+        <translation>Fixez le but, puis démarrez.</translation>
     </message>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
@@ -9999,6 +10099,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Reprendre la place actuelle</translation>
     </message>
     <message>
+        <source>Take over by hand</source>
+        <translation>Reprendre à la main</translation>
+    </message>
+    <message>
         <source>Taking the stylus.</source>
         <translation>Prise du stylet.</translation>
     </message>
@@ -10069,6 +10173,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The TCP stays where it is</source>
         <translation>Le TCP reste où il est</translation>
+    </message>
+    <message>
+        <source>The agents follow the way that the planner found.</source>
+        <translation>Les agents suivent le chemin trouvé par le planificateur.</translation>
     </message>
     <message>
         <source>The arm changes its configuration: %1</source>
@@ -10185,6 +10293,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The expert's recording has no frames.</source>
         <translation>L'enregistrement de l'expert n'a pas d'images.</translation>
+    </message>
+    <message>
+        <source>The eyes are to see %1.</source>
+        <translation>Les yeux doivent voir %1.</translation>
     </message>
     <message>
         <source>The feet of %1 do not reach the floor</source>
@@ -10495,6 +10607,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le planificateur cherche un chemin.</translation>
     </message>
     <message>
+        <source>The planner finds no way: %1. Lead it by hand, or change the weights.</source>
+        <translation>Le planificateur ne trouve pas de chemin : %1. Menez à la main, ou changez les poids.</translation>
+    </message>
+    <message>
+        <source>The planner looks for a way…</source>
+        <translation>Le planificateur cherche un chemin…</translation>
+    </message>
+    <message>
         <source>The posture is saved</source>
         <translation>La posture est enregistrée</translation>
     </message>
@@ -10675,6 +10795,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le stylet est dans son encrier.</translation>
     </message>
     <message>
+        <source>The stylus leads, too</source>
+        <translation>Le stylet mène aussi</translation>
+    </message>
+    <message>
         <source>The stylus was not changed</source>
         <translation>Le stylet n'a pas été changé</translation>
     </message>
@@ -10701,6 +10825,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The trunk is supported (backrest)</source>
         <translation>Le tronc est appuyé (dossier)</translation>
+    </message>
+    <message>
+        <source>The wishes were not saved</source>
+        <translation>Les souhaits n’ont pas été enregistrés</translation>
     </message>
     <message>
         <source>The workcell has changes that are not saved, and the study reads its file. Save the workcell first.</source>
@@ -11411,6 +11539,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Marche</translation>
     </message>
     <message>
+        <source>Wants %1 % of the greatest speed</source>
+        <translation>Souhaite %1 % de la vitesse maximale</translation>
+    </message>
+    <message>
         <source>Warning</source>
         <translation>Avertissement</translation>
     </message>
@@ -11429,6 +11561,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Weight limit</source>
         <translation>Poids limite</translation>
+    </message>
+    <message>
+        <source>Weight of %1</source>
+        <translation>Poids de %1</translation>
     </message>
     <message>
         <source>Weight, or a force divided by 9.81</source>
@@ -13079,6 +13215,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier d'un robot ou library:NAME, ou --collision-free avec --workcell et --entity</translation>
     </message>
     <message>
+        <source>a robot, a mannequin or a solid of the cell</source>
+        <translation>un robot, un mannequin ou un solide de la cellule</translation>
+    </message>
+    <message>
         <source>a robot, a mechanism or a solid with a shape</source>
         <translation>un robot, un mécanisme ou un solide avec une forme</translation>
     </message>
@@ -13665,6 +13805,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>all library robots</source>
         <translation>tous les robots de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>agents %1</source>
+        <translation>agents %1</translation>
+    </message>
+    <message>
+        <source>all of the library</source>
+        <translation>toute la bibliothèque</translation>
     </message>
     <message>
         <source>all of them</source>
@@ -15563,6 +15711,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'accepte plus d'images</translation>
     </message>
     <message>
+        <source>it was asked %1 times</source>
+        <translation>il a été interrogé %1 fois</translation>
+    </message>
+    <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
     </message>
@@ -16403,6 +16555,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas d'entité %1</translation>
     </message>
     <message>
+        <source>no entity is chosen</source>
+        <translation>aucune entité n’est choisie</translation>
+    </message>
+    <message>
         <source>no entity is named '%1'</source>
         <translation>aucune entité ne s'appelle '%1'</translation>
     </message>
@@ -16615,8 +16771,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de points</translation>
     </message>
     <message>
+        <source>no progress, %1 from the goal (%2), and the planner finds no way: %3; lead it by hand from here</source>
+        <translation>aucun progrès, à %1 du but (%2), et le planificateur ne trouve pas de chemin : %3 ; menez à la main à partir d’ici</translation>
+    </message>
+    <message>
         <source>no progress, %1 from the goal (%2); handed to the %3</source>
         <translation>aucun progrès, à %1 du but (%2) ; remis à %3</translation>
+    </message>
+    <message>
+        <source>no progress, %1 from the goal (%2); handed to the planner, whose way is followed</source>
+        <translation>aucun progrès, à %1 du but (%2) ; confié au planificateur, dont le chemin est suivi</translation>
     </message>
     <message>
         <source>no progress, %1 from the goal (%2); lead it by hand from here, or plan a path</source>
@@ -16761,6 +16925,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>none nearby</source>
         <translation>rien à proximité</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>pas encore choisi</translation>
     </message>
     <message>
         <source>none; e.g. %1</source>

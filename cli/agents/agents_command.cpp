@@ -27,6 +27,7 @@ using nlohmann::ordered_json;
 struct AgentsOptions {
   std::string task, record, wishes;
   std::vector<std::string> modes, weights;
+  bool without_planner = false;
   int runs = 1, seed = 1, jobs = 0, run = 0;
 };
 
@@ -48,6 +49,7 @@ Expected<std::vector<RunMode>> modesOf(const AgentsOptions& options) {
 Expected<agents::RunOptions> runOptionsOf(const AgentsOptions& options) {
   agents::RunOptions run;
   run.seed = static_cast<std::uint64_t>(options.seed);
+  run.planner = !options.without_planner;
   for (const std::string& word : options.weights) {
     const auto equals = word.find('=');
     const std::string number = equals == std::string::npos ? "" : word.substr(equals + 1);
@@ -161,6 +163,8 @@ void addAgentsCommand(Subcommand app, Action& chosen) {
       .separatedByCommas();
   command.option("--weights", options->weights, "AGENT=WEIGHT instead of the task's, 0: off; several with commas")
       .separatedByCommas();
+  command.flag("--without-planner", options->without_planner,
+               "Do not hand deadlocks that no agent takes over to the planner");
   command.option("--jobs", options->jobs, "Threads (default: one a core)").withinWhole(1, 4096);
   command.option("--run", options->run, "Number of the run that is recorded (default: 0)")
       .withinWhole(0, 2'000'000'000);

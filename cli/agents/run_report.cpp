@@ -34,6 +34,7 @@ ordered_json runJson(const agents::AgentCell& cell, const RunResult& run) {
                     {"remaining_m", run.remaining_m},
                     {"clearance_m", run.clearance_m},
                     {"deadlocks", run.deadlocks},
+                    {"plans", run.plans},
                     {"handed_over", run.handed_over},
                     {"strengths", run.strengths}};
   if (!cell.entity().figure()) return json;

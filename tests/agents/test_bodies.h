@@ -7,6 +7,7 @@
 
 #include "agents/body/clearances.h"
 #include "agents/body/moved_body.h"
+#include "agents/runner/agent_cell.h"
 #include "kinematics/model/robot_model.h"
 #include "manipulation/scene/prepared_scene.h"
 #include "workcell/import/entity_source.h"
@@ -33,6 +34,22 @@ inline workcell::Entity arm() {
 
 inline std::unique_ptr<MovedBody> bodyOf(const workcell::Entity& entity, const std::string& moved_by = "") {
   return std::move(*MovedBody::create(entity, moved_by));
+}
+
+/// A box before a wall that is wider than the box can see round: attraction alone cannot pass. The box, of 0.05 m, begins
+/// at the origin; the wall, 0.05 by 0.6 by 0.6 m, is at x = 0.4 m.
+inline std::shared_ptr<const AgentCell> boxBeforeWall(bool with_operator, const dvec3& goal = {0.8, 0.0, 0.0}) {
+  const auto number = [](double value) { return std::to_string(value); };
+  auto task = *AgentTask::parse("cell = \"c\"\nentity = \"box\"\ntime = 30.0\n[goal]\nposition = [" + number(goal.x) +
+                                    ", " + number(goal.y) + ", " + number(goal.z) +
+                                    "]\n[[agent]]\nwhat = \"goal\"\n" +
+                                    (with_operator ? "[[agent]]\nwhat = \"operator\"\nweight = 3.0\n" : ""),
+                                "/t.toml");
+  auto scene = manipulation::PreparedScene::prepare(
+      {loaded("box:0.05,0.05,0.05", 1, "box"),
+       loaded("box:0.05,0.6,0.6", 2, "wall", Pose::translation({0.4, 0.0, 0.0}))},
+      {}, {});
+  return *AgentCell::create(std::move(task), std::move(scene), {});
 }
 
 }  // namespace hapticell::agents::test

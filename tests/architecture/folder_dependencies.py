@@ -42,7 +42,7 @@ ALLOWED = {
     "studies": ENGINES | {"workcell", "manipulation", "planning"},
     "bridge": {"*"},
     "access": ENGINES | {"workcell", "manipulation", "planning"},
-    "agents": ENGINES | {"workcell", "manipulation"},
+    "agents": ENGINES | {"workcell", "manipulation", "planning"},
     "cli": {"*"},
     "python": {"*"},
     "app": {"*"},

@@ -20,6 +20,7 @@ namespace {
 
 using manipulation::PreparedScene;
 using test::bodyOf;
+using test::boxBeforeWall;
 using test::loaded;
 
 std::shared_ptr<const AgentCell> shipped(const char* task) {
@@ -123,22 +124,10 @@ TEST(AgentRuns, WeightsOfUnknownAgentsAreRefused) {
   EXPECT_TRUE(checkWeights(cell->task(), options));
 }
 
-/// A box before a wall that is wider than the box can see round: attraction alone cannot pass.
-std::shared_ptr<const AgentCell> boxBeforeWall(bool with_operator) {
-  auto task = *AgentTask::parse(std::string("cell = \"c\"\nentity = \"box\"\ntime = 30.0\n[goal]\n"
-                                            "position = [0.8, 0.0, 0.0]\n[[agent]]\nwhat = \"goal\"\n") +
-                                    (with_operator ? "[[agent]]\nwhat = \"operator\"\nweight = 3.0\n" : ""),
-                                "/t.toml");
-  auto scene = PreparedScene::prepare({loaded("box:0.05,0.05,0.05", 1, "box"),
-                                       loaded("box:0.05,0.6,0.6", 2, "wall", Pose::translation({0.4, 0.0, 0.0}))},
-                                      {}, {});
-  auto cell = AgentCell::create(std::move(task), scene, {});
-  EXPECT_TRUE(cell);
-  return *cell;
-}
-
 TEST(AgentRuns, ADeadlockIsRecognisedAndHandedOver) {
-  const RunResult alone = runOnce(*boxBeforeWall(false), 0, RunMode::kAgents, {});
+  RunOptions without_planner;
+  without_planner.planner = false;
+  const RunResult alone = runOnce(*boxBeforeWall(false), 0, RunMode::kAgents, without_planner);
   EXPECT_FALSE(alone.solved);
   EXPECT_EQ(alone.deadlocks, 1);
   EXPECT_LT(alone.time_s, 10.0);
@@ -148,6 +137,16 @@ TEST(AgentRuns, ADeadlockIsRecognisedAndHandedOver) {
   const RunResult led = runOnce(*boxBeforeWall(true), 0, RunMode::kBoth, {});
   EXPECT_TRUE(led.solved) << english(led.reason);
   EXPECT_GE(led.clearance_m, 0.0025);
+}
+
+TEST(AgentRuns, ADeadlockWithoutAnOperatorGoesToThePlanner) {
+  const auto cell = boxBeforeWall(false);
+  const RecordedRun run = recordRun(*cell, 0, RunMode::kAgents, {});
+  EXPECT_TRUE(run.result.solved) << english(run.result.reason);
+  EXPECT_GE(run.result.plans, 1);
+  ASSERT_FALSE(run.result.handed_over.empty());
+  EXPECT_NE(english(run.result.handed_over.front()).find("planner"), std::string::npos);
+  EXPECT_GT(leastDistance(*cell, run.motion, 1, 2), 0.0);
 }
 
 TEST(AgentCell, RefusesAStartInContact) {

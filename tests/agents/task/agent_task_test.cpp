@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/task/agent_section.h"
+#include "agents/task/section_reader.h"
 
 namespace hapticell::agents {
 namespace {
