@@ -439,10 +439,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 buts</translation>
     </message>
     <message>
-        <source>%1 moves with %2, which the other stylus holds: release it there first</source>
-        <translation>%1 se déplace avec %2, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
-    </message>
-    <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
     </message>
@@ -781,6 +777,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 moves too</source>
         <translation>%1 suit</translation>
+    </message>
+    <message>
+        <source>%1 moves with %2, which the other stylus holds: release it there first</source>
+        <translation>%1 se déplace avec %2, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
     </message>
     <message>
         <source>%1 moving joints instead of %2</source>
@@ -1431,10 +1431,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
-        <source>%2 carries %1, which the other stylus holds: release it there first</source>
-        <translation>%2 porte %1, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
-    </message>
-    <message>
         <source>%1, with an inner radius below the outer one</source>
         <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
     </message>
@@ -1701,6 +1697,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1° · %2</source>
         <translation>%1° · %2</translation>
+    </message>
+    <message>
+        <source>%2 carries %1, which the other stylus holds: release it there first</source>
+        <translation>%2 porte %1, que tient l'autre stylet : relâchez d'abord l'entité avec ce stylet</translation>
     </message>
     <message numerus="yes">
         <source>%n action(s) written as a script: %1</source>
@@ -10095,12 +10095,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
-        <source>Take where it is now</source>
-        <translation>Reprendre la place actuelle</translation>
-    </message>
-    <message>
         <source>Take over by hand</source>
         <translation>Reprendre à la main</translation>
+    </message>
+    <message>
+        <source>Take where it is now</source>
+        <translation>Reprendre la place actuelle</translation>
     </message>
     <message>
         <source>Taking the stylus.</source>
@@ -10603,12 +10603,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bassin reste sur le siège, qui porte le corps</translation>
     </message>
     <message>
-        <source>The planner looks for a way.</source>
-        <translation>Le planificateur cherche un chemin.</translation>
-    </message>
-    <message>
         <source>The planner finds no way: %1. Lead it by hand, or change the weights.</source>
         <translation>Le planificateur ne trouve pas de chemin : %1. Menez à la main, ou changez les poids.</translation>
+    </message>
+    <message>
+        <source>The planner looks for a way.</source>
+        <translation>Le planificateur cherche un chemin.</translation>
     </message>
     <message>
         <source>The planner looks for a way…</source>
@@ -13803,16 +13803,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
-        <source>all library robots</source>
-        <translation>tous les robots de la bibliothèque</translation>
-    </message>
-    <message>
         <source>agents %1</source>
         <translation>agents %1</translation>
     </message>
     <message>
-        <source>all of the library</source>
-        <translation>toute la bibliothèque</translation>
+        <source>all library robots</source>
+        <translation>tous les robots de la bibliothèque</translation>
     </message>
     <message>
         <source>all of them</source>
