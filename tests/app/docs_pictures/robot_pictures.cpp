@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the docks of robots.
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QTableView>
 
@@ -71,13 +73,57 @@ void access(const PictureTask& task) {
   page.keep();
 }
 
+/// A way of the shipped robot to other joints, with its figures.
+void planning(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
+  page.select(page.document().findByName("robot")->id);
+  page.trigger("actionPlanPath");
+  page.chooseEntry("choicePlanGoal", "Joints");
+  page.press("buttonPlanTake");
+  auto* joints = page.find<QLineEdit>("editPlanJoints");
+  ASSERT_NE(joints, nullptr);
+  QStringList words = joints->text().split(';');
+  ASSERT_EQ(words.size(), 6);
+  constexpr double kTurn = 70.0;  // degrees
+  words[0] = QString::number(words[0].toDouble() + kTurn);
+  joints->setText(words.join(";"));
+  page.press("buttonPlanPath");
+  constexpr int kSearch = 10 * PicturePage::kPatience;
+  const auto* stop = page.find<QAbstractButton>("buttonPlanStop");
+  ASSERT_TRUE(PicturePage::until([&] { return !stop->isEnabled(); }, kSearch));
+  page.look({2.45, -1.85, 1.85}, {0.72, 0.1, 0.80});
+  page.keep();
+}
+
+/// The mannequin at the sill of the trunk, with the wish of each agent.
+void agents(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("agents/trunk.hcell"));
+  const workcell::Entity* worker = page.document().findByName("worker");
+  ASSERT_NE(worker, nullptr);
+  page.select(worker->id);
+  page.trigger("actionAgents");
+  page.press("buttonAgentEntity");
+  page.type("fieldAgentGoalX", "930");
+  page.type("fieldAgentGoalY", "-160");
+  page.type("fieldAgentGoalZ", "800");
+  page.press("buttonAgentsStart");
+  const auto* says = page.find<QLabel>("labelAgentsSay");
+  ASSERT_TRUE(PicturePage::until([&] { return says->text().contains("sill"); }, 10 * PicturePage::kPatience));
+  page.lookFrom(-40, 25, page.window().viewport().scene().bounds_W());
+  page.keep();
+}
+
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
   return {{"robot-configurations", {1300, 731}, "dockRobot", configurations, {1600, 900}},
           {"robot-library", {345, 980}, "dockAddRobot", library},
           {"study", {1600, 1000}, "dockStudyResults", study},
-          {"access", {1600, 1000}, "dockAccess", access}};
+          {"access", {1600, 1000}, "dockAccess", access},
+          {"planning", {1600, 1000}, "dockPlan", planning},
+          {"agents", {1600, 1000}, "dockAgents", agents}};
 }
 
 }  // namespace hapticell::app

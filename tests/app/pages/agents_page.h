@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <filesystem>
 #include <set>
 
@@ -20,9 +21,12 @@ class AgentsPage : public RobotPage {
   static constexpr int kRunPatience = 120000;  // ms; a run is no faster than real time.
 
   bool openCell(const char* name) {
+    // A copy of the shipped cells: motions that are kept are written beside the cell.
     const auto shipped = config::findShippedFile("agents");
     EXPECT_TRUE(shipped.has_value());
-    const bool is_open = open(QString::fromStdString((std::filesystem::path(*shipped) / name).string()));
+    const std::filesystem::path here = std::filesystem::path(folder_.path().toStdString()) / "agents";
+    std::filesystem::copy(*shipped, here, std::filesystem::copy_options::recursive);
+    const bool is_open = open(QString::fromStdString((here / name).string()));
     trigger("actionAgents");
     return is_open;
   }
@@ -70,6 +74,9 @@ class AgentsPage : public RobotPage {
     return static_cast<std::size_t>(
         std::count_if(curves.begin(), curves.end(), [&](const SceneCurve& curve) { return names.contains(curve.text); }));
   }
+
+ private:
+  QTemporaryDir folder_;
 };
 
 }  // namespace hapticell::app
