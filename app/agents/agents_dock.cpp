@@ -10,6 +10,7 @@
 #include "app/agents/agents_panel.h"
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/style/dock_title_bar.h"
@@ -31,8 +32,7 @@ void addAgentsDock(Host& host) {
   host.window().addAction(action);
   topMenu(host.window(), "menuApplications", QObject::tr("Applications"))->addAction(action);
   QObject::connect(action, &QAction::triggered, dock, [dock] {
-    dock->show();
-    dock->raise();
+    bringToFront(dock);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "app/console/console_panel.h"
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/top_menus.h"
 #include "app/style/dock_title_bar.h"
 
@@ -25,8 +26,7 @@ void addConsoleDock(Host& host) {
   host.window().addAction(action);
   menu->addAction(action);
   QObject::connect(action, &QAction::triggered, panel, [dock, panel] {
-    dock->show();
-    dock->raise();
+    bringToFront(dock);
     panel->focusInput();
   });
 }

@@ -12,6 +12,7 @@
 #include "app/edit/part_panel.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
@@ -51,8 +52,7 @@ class EditDocks : public QObject {
       connect(frame, &QAction::triggered, this, [this] { frames_.begin(); });
     if (auto* numbers = host.window().findChild<QAction*>("actionMoveBy"))
       connect(numbers, &QAction::triggered, dock, [dock] {
-        dock->show();
-        dock->raise();
+        bringToFront(dock);
       });
   }
 
@@ -75,8 +75,7 @@ class EditDocks : public QObject {
       parts_dock_ = makeDock("dockInsertPart", tr("Insert part"), new PartPanel(host_));
       host_.addDock(parts_dock_, Qt::RightDockWidgetArea);
     }
-    parts_dock_->show();
-    parts_dock_->raise();
+    bringToFront(parts_dock_);
   }
 
   void take(const char* name, EntityGizmo::Mode mode) {

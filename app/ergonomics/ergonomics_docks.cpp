@@ -22,6 +22,7 @@
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/mannequin/mannequin_context.h"
@@ -200,8 +201,7 @@ class ErgonomicsDocks : public QObject {
   void bringToFront(QDockWidget* dock) {
     const auto& snapshot = host_.snapshot();
     if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    dock->show();
-    dock->raise();
+    app::bringToFront(dock);
   }
 
   Host& host_;

@@ -15,6 +15,7 @@
 #include "app/host/host.h"
 #include "app/host/language.h"
 #include "app/host/selection.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/key_overlay.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
@@ -61,8 +62,7 @@ class HelpDock : public QObject {
         panel()->refresh();
       else
         panel()->showPage(name);
-      dock_->show();
-      dock_->raise();
+      bringToFront(dock_);
       panel()->setFocus(Qt::ShortcutFocusReason);
     });
   }

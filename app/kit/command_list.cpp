@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <set>
 
+#include "app/kit/dock_front.h"
 #include "app/style/dock_title_bar.h"
 
 namespace hapticell::app {
@@ -88,8 +89,7 @@ void showWidget(QMainWindow& window, QWidget& widget) {
     if (auto* pages = qobject_cast<QStackedWidget*>(at->parentWidget()))
       if (QListWidget* list = listOfPages(*pages)) list->setCurrentRow(pages->indexOf(at));
     if (auto* dock = qobject_cast<QDockWidget*>(at)) {
-      dock->show();
-      dock->raise();
+      bringToFront(dock);
       if (dock->isFloating()) dock->activateWindow();
     }
   }

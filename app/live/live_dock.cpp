@@ -9,6 +9,7 @@
 
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/live/live_feed.h"
@@ -29,8 +30,7 @@ void addLiveDock(Host& host) {
   host.window().addAction(action);
   menu->addAction(action);
   QObject::connect(action, &QAction::triggered, dock, [dock] {
-    dock->show();
-    dock->raise();
+    bringToFront(dock);
   });
 }
 

@@ -100,8 +100,7 @@ class MannequinDocks : public QObject {
     entry("actionOpenPosture", tr("Open a posture…"), {}, [this] { panel_->openPosture(); });
     entry("actionSavePosture", tr("Save this posture (JSON, H-Anim X3D, BVH)…"), {}, [this] { panel_->savePosture(); });
     entry("actionMarkers", tr("Recorded markers (C3D)…"), {}, [this] {
-      markers_->show();
-      markers_->raise();
+      app::bringToFront(markers_);
     });
   }
 
@@ -144,8 +143,7 @@ class MannequinDocks : public QObject {
   void bringToFront() {
     const auto& snapshot = host_.snapshot();
     if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    dock_->show();
-    dock_->raise();
+    app::bringToFront(dock_);
   }
 
   Host& host_;

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 
 #include "app/host/host.h"
+#include "app/kit/dock_front.h"
 #include "app/measure/measure_panel.h"
 #include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
@@ -26,8 +27,7 @@ void addMeasureDock(Host& host) {
   });
   if (auto* action = host.window().findChild<QAction*>("actionMeasure"))
     QObject::connect(action, &QAction::triggered, panel, [panel, dock] {
-      dock->show();
-      dock->raise();
+      bringToFront(dock);
       panel->begin();
     });
 }

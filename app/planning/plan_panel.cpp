@@ -171,6 +171,8 @@ void PlanPanel::take(const PathAnswer& answer) {
 
 void PlanPanel::showFailure(const planning::Failure& failure) {
   last_ = shownText(failure.reason);
+  if (!last_.isEmpty()) last_[0] = last_[0].toUpper();  // It follows "no plan:" on the command line.
+  if (!last_.endsWith(QLatin1Char('.'))) last_ += QLatin1Char('.');
   blocker_ = failure.blocked_by;
   if (!failure.X_WT_nearest) return;
   const dvec3 p = 1000.0 * failure.X_WT_nearest->p;

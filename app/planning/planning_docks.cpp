@@ -9,6 +9,7 @@
 
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/planning/plan_panel.h"
@@ -23,8 +24,7 @@ void addPlanningDocks(Host& host) {
   QAction* action = makeAction(&host.window(), {"actionPlanPath", PlanPanel::tr("Plan a path…"), {}, {}, {}});
   topMenu(host.window(), "menuRobot", QObject::tr("Robot"))->addAction(action);
   QObject::connect(action, &QAction::triggered, dock, [dock] {
-    dock->show();
-    dock->raise();
+    bringToFront(dock);
   });
 }
 

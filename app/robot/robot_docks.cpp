@@ -15,6 +15,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/top_menus.h"
 #include "app/kit/form.h"
 #include "app/controls/refresh_timer.h"
@@ -134,8 +135,7 @@ class RobotDocks : public QObject {
   void bringToFront(QDockWidget* dock) {
     const auto& snapshot = host_.snapshot();
     if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    dock->show();
-    dock->raise();
+    app::bringToFront(dock);
   }
 
   Host& host_;

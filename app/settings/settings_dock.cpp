@@ -10,6 +10,7 @@
 
 #include "app/kit/command_finder.h"
 #include "app/host/host.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/settings/key_map.h"
 #include "app/settings/settings_pages.h"
@@ -72,8 +73,7 @@ void addSettings(Host& host, const std::function<void(bool dark)>& set_theme) {
   };
   QObject::connect(action, &QAction::triggered, &window, [made] {
     QDockWidget* dock = made();
-    dock->show();
-    dock->raise();
+    bringToFront(dock);
     dock->activateWindow();
   });
   if (auto* finder = window.findChild<CommandFinder*>())

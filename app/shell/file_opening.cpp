@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QTimer>
 
+#include "app/kit/dock_front.h"
 #include "app/shell/main_window.h"
 #include "app/studies/results_panel.h"
 #include "app/studies/study_panel.h"
@@ -22,8 +23,7 @@ QString endingOf(const QString& path) {
 void show(MainWindow& window, const char* dock) {
   auto* const found = window.findChild<QDockWidget*>(dock);
   if (found == nullptr) return;
-  found->show();
-  found->raise();
+  bringToFront(found);
 }
 
 /// The study with its cell, where that is not open already and nothing would be lost.

@@ -17,6 +17,7 @@
 #include "app/import/file_work.h"
 #include "app/kit/action_face.h"
 #include "app/kit/command_finder.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/tabbed_docks.h"
 #include "app/measure/measure_dock.h"
 #include "app/panels/tree/tree_edits.h"
@@ -144,8 +145,7 @@ void MainWindow::fillMenus() {
     addAction(action);
     connect(action, &QAction::triggered, this, [this, dock_name] {
       if (auto* dock = findChild<QDockWidget*>(dock_name)) {
-        dock->show();
-        dock->raise();
+        bringToFront(dock);
       }
     });
     return action;

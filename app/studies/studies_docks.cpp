@@ -9,6 +9,7 @@
 
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/studies/floor_area.h"
@@ -80,11 +81,6 @@ class StudiesDocks : public QObject {
       bringToFront(results_dock_);
       results_->open();
     });
-  }
-
-  static void bringToFront(QDockWidget* dock) {
-    dock->show();
-    dock->raise();
   }
 
   Host& host_;

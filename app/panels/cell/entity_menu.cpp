@@ -11,6 +11,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/swatch_row.h"
 #include "app/kit/top_menus.h"
 #include "app/panels/collisions/collisions_panel.h"
@@ -130,16 +131,14 @@ class EntityMenu {
     add("treeProperties", QObject::tr("Properties"), {}, [&window = host_.window()] {
       auto* dock = window.findChild<QDockWidget*>("dockProperties");
       if (!dock) return;
-      dock->show();
-      dock->raise();
+      bringToFront(dock);
     });
     if (first_ && (first_->mesh() || first_->robot()))
       add("treePairs", QObject::tr("Pairs and sets"), "contact", [&host = host_, id = first_->id] {
         auto* dock = host.window().findChild<QDockWidget*>("dockCollisions");
         if (!dock) return;
         host.selection().set(id);
-        dock->show();
-        dock->raise();
+        bringToFront(dock);
         if (auto* panel = dock->findChild<CollisionsPanel*>()) panel->showPairs();
       });
     if (first_ && first_->figure())

@@ -16,6 +16,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/kit/dock_front.h"
 #include "app/panels/cell/entity_menu.h"
 #include "app/panels/tree/tree_edits.h"
 #include "app/style/fonts.h"
@@ -354,8 +355,7 @@ void WorkcellPanel::chooseFrame(const QString& motion, std::size_t frame) {
 void WorkcellPanel::rename(workcell::EntityId entity) {
   for (QWidget* holder = parentWidget(); holder; holder = holder->parentWidget())
     if (auto* dock = qobject_cast<QDockWidget*>(holder)) {
-      dock->show();
-      dock->raise();
+      bringToFront(dock);
     }
   if (!filter_model_.mapFromSource(model_.indexOf(entity)).isValid()) filter_->clear();
   const QModelIndex index = filter_model_.mapFromSource(model_.indexOf(entity));

@@ -20,6 +20,7 @@
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/kit/action_face.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/top_menus.h"
 #include "app/panels/cell/workcell_panel.h"
@@ -243,8 +244,7 @@ class TrajectoryDocks : public QObject {
       panel_->showLine(tr("Switch the forces off first. Panels stay in place while the stylus is in use."), true);
       return;
     }
-    motion_dock_->show();
-    motion_dock_->raise();
+    bringToFront(motion_dock_);
     if (!section.isEmpty()) QTimer::singleShot(0, motion_, [this, section] { motion_->showSection(section); });
   }
 

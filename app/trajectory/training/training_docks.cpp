@@ -10,6 +10,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/recording_hub.h"
+#include "app/kit/dock_front.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training/training_panel.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -62,8 +63,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
 void TrainingDocks::open() {
   const auto& snapshot = host_.snapshot();
   if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-  dock_->show();
-  dock_->raise();
+  bringToFront(dock_);
 }
 
 void TrainingDocks::openCell(const QString& path) {

@@ -47,8 +47,7 @@ QString VirtualDesktopModule::purpose() const {
 
 void VirtualDesktopModule::start(Host& host) {
   if (controller_) {
-    dock_->show();
-    dock_->raise();
+    bringToFront(dock_);
     return;
   }
   host_ = &host;
@@ -121,8 +120,7 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
     QObject::connect(controller_.get(), &VirtualDesktopController::connectionChanged, checks, show);
     show();
   }
-  check_dock_->show();
-  check_dock_->raise();
+  bringToFront(check_dock_);
 }
 
 void VirtualDesktopModule::chooseFirstRobot() {

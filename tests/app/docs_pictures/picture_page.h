@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/kit/dock_front.h"
 #include "app/shell/module_loader.h"
 #include "config/configuration.h"
 #include "tests/app/docs_pictures/led_hand.h"
@@ -180,7 +181,7 @@ class PicturePage : public ServerFirst, public CellPage {
   void keepImage(const QImage& image) {
     if (task_.dock) {
       const auto* dock = window().findChild<QDockWidget*>(task_.dock);
-      ASSERT_TRUE(dock && dock->isVisible() && !dock->visibleRegion().isEmpty()) << task_.dock << " is not visible";
+      ASSERT_TRUE(dock && isInFront(*dock)) << task_.dock << " is not visible";
     }
     const QString problem = savePicture(image, task_.size, task_.file);
     EXPECT_TRUE(problem.isEmpty()) << problem.toStdString();

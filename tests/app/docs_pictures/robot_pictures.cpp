@@ -85,8 +85,9 @@ void planning(const PictureTask& task) {
   ASSERT_NE(joints, nullptr);
   QStringList words = joints->text().split(';');
   ASSERT_EQ(words.size(), 6);
-  constexpr double kTurn = 70.0;  // degrees
+  constexpr double kTurn = 40.0, kLift = -25.0;  // degrees
   words[0] = QString::number(words[0].toDouble() + kTurn);
+  words[1] = QString::number(words[1].toDouble() + kLift);
   joints->setText(words.join(";"));
   page.press("buttonPlanPath");
   constexpr int kSearch = 10 * PicturePage::kPatience;
