@@ -6,6 +6,7 @@
 
 #include "access/sweep_limits.h"
 #include "collision/queries/mesh_search.h"
+#include "trajectory/motion/number_text.h"
 
 namespace hapticell::access {
 
@@ -110,7 +111,7 @@ Promises removalPromises(const RemovalScene& scene, std::size_t unit, UnitSet go
                            .asked = 2.0 * scene.tolerance(),
                            .measured = deep,
                            .unit = "m",
-                           .place = Text("at %1 s", std::to_string(deep_at)),
+                           .place = Text("at %1 s", trajectory::shortestText(std::round(1e4 * deep_at) / 1e4)),
                            .rounding = 1e-9});
   return promises;
 }

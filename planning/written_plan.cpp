@@ -8,6 +8,7 @@
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/motion/number_text.h"
 
 namespace hapticell::planning {
 
@@ -122,7 +123,7 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
     }
   }
   if (contacts > 0.0) least.least = 0.0;
-  const auto timeText = [](double t) { return Text("at %1 s", std::to_string(t)); };
+  const auto timeText = [](double t) { return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4)); };
   Promises promises;
   // A millionth of a metre: distances of the file's numbers, written to the last bit, differ by far less.
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});

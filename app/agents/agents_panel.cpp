@@ -103,9 +103,12 @@ void AgentsPanel::addSetup(QVBoxLayout& column) {
       setGoal(p, setup_.look_at);
     });
   }
-  addRow(section, tr("Goal"), sideBySide({on_.goal[0], on_.goal[1], on_.goal[2]}));
-  section.addWidget(sideBySide({button("buttonAgentGoal", tr("Goal: selected entity"), &AgentsPanel::takeGoal),
-                                button("buttonAgentPick", tr("Goal: pick a point"), &AgentsPanel::pickGoal)}));
+  // A row each: three fields with their units are wider than the dock.
+  addRow(section, tr("Goal X"), on_.goal[0]);
+  addRow(section, tr("Y"), on_.goal[1]);
+  addRow(section, tr("Z"), on_.goal[2]);
+  section.addWidget(button("buttonAgentGoal", tr("Goal: selected entity"), &AgentsPanel::takeGoal));
+  section.addWidget(button("buttonAgentPick", tr("Goal: pick a point"), &AgentsPanel::pickGoal));
   on_.look_at = makeLive(1, TextRole::kSecond);
   on_.look_at->setObjectName("labelAgentLook");
   section.addWidget(on_.look_at);
@@ -138,7 +141,8 @@ void AgentsPanel::addRun(QVBoxLayout& column) {
   section.addWidget(on_.says);
   on_.planner = button("buttonAgentsPlanner", tr("Hand over to the planner"), &AgentsPanel::askPlanner);
   on_.by_hand = button("buttonAgentsHand", tr("Take over by hand"), &AgentsPanel::takeByHand);
-  section.addWidget(sideBySide({on_.planner, on_.by_hand}));
+  section.addWidget(on_.planner);
+  section.addWidget(on_.by_hand);
 }
 
 void AgentsPanel::addResult(QVBoxLayout& column) {
@@ -146,7 +150,8 @@ void AgentsPanel::addResult(QVBoxLayout& column) {
   on_.adopt = button("buttonAgentsAdopt", tr("Adopt the place"), &AgentsPanel::adopt);
   on_.motion = button("buttonAgentsMotion", tr("Keep the motion"), &AgentsPanel::keepMotion);
   on_.wishes = button("buttonAgentsWishes", tr("Save the wishes…"), &AgentsPanel::saveWishes);
-  section.addWidget(sideBySide({on_.adopt, on_.motion}));
+  section.addWidget(on_.adopt);
+  section.addWidget(on_.motion);
   section.addWidget(on_.wishes);
 }
 

@@ -5415,6 +5415,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>But</translation>
     </message>
     <message>
+        <source>Goal X</source>
+        <translation>But X</translation>
+    </message>
+    <message>
         <source>Goal: here</source>
         <translation>But : ici</translation>
     </message>
