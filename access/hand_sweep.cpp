@@ -10,7 +10,7 @@ namespace hapticell::access {
 
 namespace {
 
-constexpr double kTold = 0.1;    ///< m; larger clearances are not told. Half and twice: only what is told.
+constexpr double kLargestReported = 0.1;    ///< m; larger clearances are not reported. Half and twice: only what is reported.
 constexpr double kEvery = 5e-3;  ///< m of way between two measured clearances. Half: twice the time; twice: less exact.
 
 class Sweep {
@@ -84,7 +84,7 @@ class Sweep {
 HandSweep sweepHand(const RemovalScene& scene, std::size_t unit, UnitSet gone, const RemovalWay& way,
                     const std::vector<SweptShape>& shapes, double glove) {
   HandSweep result;
-  result.clearance_m = kTold;
+  result.clearance_m = kLargestReported;
   Sweep sweep(scene, unit, gone, shapes);
   sweep.measure(way.X_WE.front(), glove, result);
   if (result.clearance_m < 0.0) return result;

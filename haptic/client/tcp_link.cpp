@@ -100,7 +100,7 @@ class TcpLink::Connection {
   void takeOver() {
     asio::post(context_, [this] {
       take_over_ = true;
-      lose({Text("Taking the stylus.")});
+      disconnect({Text("Taking the stylus.")});
     });
   }
 
@@ -132,7 +132,7 @@ class TcpLink::Connection {
       try {
         context_.run();
       } catch (const std::exception& failure) {
-        lose({Text("The link to the haptic server failed: %1.", failure.what())});
+        disconnect({Text("The link to the haptic server failed: %1.", failure.what())});
       }
     }
   }
@@ -159,7 +159,7 @@ class TcpLink::Connection {
                                     [](const auto& entry) { return !entry.endpoint().address().is_loopback(); });
     if (leaves && !options_.key) {
       connecting_ = false;
-      return lose({Text("This station has no key for the haptic server at %1.", server()),
+      return disconnect({Text("This station has no key for the haptic server at %1.", server()),
                    Text("Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.",
                         server())});
     }
@@ -173,7 +173,7 @@ class TcpLink::Connection {
 
   void failAttempt() {
     connecting_ = false;
-    lose({Text("No haptic server answers at %1.", server()), Text("Start hapticell-haptic-server.")});
+    disconnect({Text("No haptic server answers at %1.", server()), Text("Start hapticell-haptic-server.")});
   }
 
   void open() {
@@ -184,9 +184,9 @@ class TcpLink::Connection {
         secure_ ? secure_->make(std::move(socket_)) : plainStream(std::move(socket_)),
         MessageStream::Handlers{
             .message = [this](const Message& message) { hear(message); },
-            .garbage = [this](const Error&) { lose(stranger()); },
-            .stranger = [this](HandshakeFailure failure, const Text& why) { lose(noHandshake(failure, why)); },
-            .closed = [this] { lose(closedByServer()); }});
+            .garbage = [this](const Error&) { disconnect(otherProgram()); },
+            .unauthenticated = [this](HandshakeFailure failure, const Text& why) { disconnect(noHandshake(failure, why)); },
+            .closed = [this] { disconnect(closedByServer()); }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
                                                 .kind = options_.kind,
@@ -216,7 +216,7 @@ class TcpLink::Connection {
              server())};
   }
 
-  LinkProblem stranger() const {
+  LinkProblem otherProgram() const {
     if (secure_) return {Text("What answers at %1 is not a haptic server of this release.", server())};
     return {
         Text("What answers at %1 is not a haptic server of this release, or one that wants a key "
@@ -227,7 +227,7 @@ class TcpLink::Connection {
   void hear(const Message& message) {
     heard_ = nowNanoseconds();
     if (const auto* welcome = std::get_if<Welcome>(&message)) return hearWelcome(*welcome);
-    if (const auto* refusal = std::get_if<Refusal>(&message)) return lose(problemOf(*refusal), LinkState::kRefused);
+    if (const auto* refusal = std::get_if<Refusal>(&message)) return disconnect(problemOf(*refusal), LinkState::kRefused);
     if (!welcomed_) return;
     if (const auto* state = std::get_if<HapticState>(&message)) {
       presses.hear(state->buttons);
@@ -260,7 +260,7 @@ class TcpLink::Connection {
     sendHeartbeat();
   }
 
-  void lose(LinkProblem problem, LinkState state = LinkState::kDisconnected) {
+  void disconnect(LinkProblem problem, LinkState state = LinkState::kDisconnected) {
     if (stream_) stream_->close();
     stream_.reset();
     // A refusal stays to be read until an attempt has another outcome.
@@ -293,7 +293,7 @@ class TcpLink::Connection {
   void beat() {
     const double silence = 1e-9 * static_cast<double>(nowNanoseconds() - (connecting_ ? attempt_began_ : heard_));
     if (stream_ && silence > options_.silence_time) {
-      lose({Text("The haptic server at %1 does not answer any more.", server())});
+      disconnect({Text("The haptic server at %1 does not answer any more.", server())});
     } else if (stream_ && welcomed_) {
       sendHeartbeat();
     } else if (connecting_ && silence > 4.0 * options_.silence_time) {

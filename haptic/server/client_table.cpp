@@ -103,7 +103,7 @@ bool ClientTable::add(std::unique_ptr<ByteStream> connection) {
       MessageStream::Handlers{
           .message = [this, &client](const Message& message) { hear(client, message); },
           .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
-          .stranger =
+          .unauthenticated =
               [this, &client](HandshakeFailure, const Text& why) {
                 report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + english(why) + ".");
                 drop(client, {});

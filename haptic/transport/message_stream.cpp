@@ -128,7 +128,7 @@ void MessageStream::lost() {
 
 void MessageStream::refuse(std::error_code failed) {
   close();
-  handlers_.stranger ? handlers_.stranger(handshakeFailure(failed), handshakeProblem(failed)) : handlers_.closed();
+  handlers_.unauthenticated ? handlers_.unauthenticated(handshakeFailure(failed), handshakeProblem(failed)) : handlers_.closed();
 }
 
 }  // namespace hapticell::haptic

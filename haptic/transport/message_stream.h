@@ -29,7 +29,7 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
     std::function<void(const Error&)> garbage;
     /// The other side did not prove that it has the key; `why` gives the reason in a few words. The connection is
     /// closed; nothing else is called. Null: closed() is called instead.
-    std::function<void(HandshakeFailure failure, const Text& why)> stranger = nullptr;
+    std::function<void(HandshakeFailure failure, const Text& why)> unauthenticated = nullptr;
     /// The other side has proven that it has the key; called at once if no key is required. May be null.
     std::function<void()> opened = nullptr;
     /// The connection is gone (closed, reset, or not writable for too long). Called once, not after close().
