@@ -34,7 +34,8 @@ void LivePanel::addChoices(QVBoxLayout& column) {
   who_->setObjectName("segmentsLiveWho");
   who_->setToolTip(tr("Others need the code at the end of the address. The connection is not encrypted: whoever can "
                       "listen to the network can watch."));
-  addRow(column, tr("Who may watch"), who_);
+  who_->setCurrent(0);
+  addRow(column, tr("Viewers"), who_);
   port_ = new QSpinBox;
   port_->setObjectName("spinLivePort");
   port_->setRange(1, 65535);

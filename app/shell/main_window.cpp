@@ -288,6 +288,10 @@ void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget
   addDockWidget(area, dock);
   if (onto) tabifyDockWidget(onto, dock);
   actions_->menus.windows->addAction(dock->toggleViewAction());
+  // Qt would show it behind the other tabs of its place.
+  connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+    if (on) bringToFront(dock);
+  });
 }
 
 void MainWindow::removeDock(QDockWidget* dock) {

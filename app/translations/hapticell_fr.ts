@@ -11515,6 +11515,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vue des résultats</translation>
     </message>
     <message>
+        <source>Viewers</source>
+        <translation>Spectateurs</translation>
+    </message>
+    <message>
         <source>Virtual Desktop</source>
         <translation>Virtual Desktop</translation>
     </message>
@@ -11649,10 +11653,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>While dragging</source>
         <translation>Pendant le glissement</translation>
-    </message>
-    <message>
-        <source>Who may watch</source>
-        <translation>Accès</translation>
     </message>
     <message>
         <source>Whole</source>
