@@ -4240,7 +4240,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Counts as touching</source>
-        <translation>Compte comme contact</translation>
+        <translation>Seuil de contact</translation>
     </message>
     <message>
         <source>Coupling</source>
@@ -6428,7 +6428,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Longest time</source>
-        <translation>Durée maximale</translation>
+        <translation>Durée max.</translation>
     </message>
     <message>
         <source>Look as far as</source>
