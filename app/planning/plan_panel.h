@@ -20,7 +20,7 @@ class ReferenceChoice;
 class ValueField;
 
 /// Plans a path for the selected robot or solid and adds it to the motions of the document, as a recording is. Shows
-/// its figures, or why there is none. GUI thread.
+/// its figures, or why no path was found. GUI thread.
 class PlanPanel : public QWidget {
   Q_OBJECT
  public:
