@@ -20,7 +20,7 @@ namespace {
 constexpr double kPerStep = 0.1;
 constexpr int kSteps = 50;
 /// px
-constexpr int kBarWidth = 64, kBarHeight = 6, kNameWidth = 96;
+constexpr int kBarWidth = 40, kBarHeight = 6, kNameWidth = 96;
 
 }  // namespace
 

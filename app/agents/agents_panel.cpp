@@ -132,7 +132,8 @@ void AgentsPanel::addRun(QVBoxLayout& column) {
   on_.pause = button("buttonAgentsPause", tr("Pause"), &AgentsPanel::pause);
   on_.step = button("buttonAgentsStep", tr("Step"), &AgentsPanel::stepOnce);
   on_.stop = button("buttonAgentsStop", tr("Stop"), &AgentsPanel::stop);
-  section.addWidget(sideBySide({on_.start, on_.pause, on_.step, on_.stop}));
+  section.addWidget(sideBySide({on_.start, on_.pause}));
+  section.addWidget(sideBySide({on_.step, on_.stop}));
   on_.figures = makeLive(1, TextRole::kSecond);
   on_.figures->setObjectName("labelAgentFigures");
   section.addWidget(on_.figures);
