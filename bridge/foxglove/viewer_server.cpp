@@ -102,10 +102,6 @@ class ViewerServer::Impl : public std::enable_shared_from_this<ViewerServer::Imp
     });
   }
 
-  void forget(std::uint32_t topic) {
-    post([topic](Impl& me) { me.board_.forget(topic); });
-  }
-
   std::uint16_t port() const { return port_; }
   std::size_t viewers() const { return counts_.viewers; }
   std::uint64_t sent() const { return counts_.sent; }
@@ -168,10 +164,6 @@ void ViewerServer::publish(std::uint32_t topic, std::int64_t stamp_ns, std::stri
 
 void ViewerServer::keep(std::uint32_t topic, const std::string& key, std::int64_t stamp_ns, std::string message) {
   impl_->publish(topic, stamp_ns, std::move(message), key);
-}
-
-void ViewerServer::forget(std::uint32_t topic) {
-  impl_->forget(topic);
 }
 
 std::uint16_t ViewerServer::port() const {

@@ -58,8 +58,6 @@ class ViewerServer {
   /// The same, and to all that subscribe later: the newest message for each `key`, in the order of their first use.
   /// @pre the key is not empty
   void keep(std::uint32_t topic, const std::string& key, std::int64_t stamp_ns, std::string message);
-  /// Forgets what keep() kept for a topic.
-  void forget(std::uint32_t topic);
 
   std::uint16_t port() const;
   std::size_t viewers() const;

@@ -89,11 +89,6 @@ void ViewerBoard::keep(const ViewerMessage& message) {
   }
 }
 
-void ViewerBoard::forget(std::uint32_t topic) {
-  for (Topic& one : topics)
-    if (one.id == topic) one.kept.clear();
-}
-
 ViewerSession::ViewerSession(asio::ip::tcp::socket socket, const std::string& code, const ViewerBoard& board,
                              ViewerCounts& counts)
     : socket_(std::move(socket)), code_(code), board_(board), counts_(counts) {}

@@ -36,7 +36,6 @@ struct ViewerBoard {
   std::vector<Topic> topics;
 
   void keep(const ViewerMessage& message);
-  void forget(std::uint32_t topic);
 };
 
 /// Read by any thread.
