@@ -94,7 +94,8 @@ struct RaySearch {
   void meetLeaf(const LeafBlock& leaf) {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
       const RayCrossing crossing = meetTriangle(ray, mesh.mesh().corners(leaf.triangle[i]));
-      if (!crossing.meets || crossing.along >= hit.along) continue;
+      // A ray through the edge of two triangles only grazes both, and does not pass between them.
+      if (!(crossing.meets || crossing.grazes) || crossing.along >= hit.along) continue;
       hit = {true, crossing.along, ray.origin + crossing.along * ray.direction, leaf.triangle[i]};
     }
   }

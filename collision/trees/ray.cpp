@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hapticell::collision {
 
@@ -45,6 +46,9 @@ RayCrossing meetTriangle(const Ray& ray, const Corners& corners) {
           std::max({glm::dot(a, ray.direction), glm::dot(b, ray.direction), glm::dot(c, ray.direction)});
       crossing.grazes = foremost >= 0.0;
     }
+    const bool is_edge_on = std::abs(whole) <= 3.0 * noise;
+    const double along = is_edge_on ? -1.0 : glm::dot(a, normal) / whole;
+    crossing.along = crossing.grazes && along >= 0.0 ? along : std::numeric_limits<double>::infinity();
     return crossing;
   }
   crossing.along = glm::dot(a, normal) / whole;

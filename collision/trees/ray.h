@@ -16,7 +16,8 @@ struct RayCrossing {
   bool meets = false;
   bool grazes = false;   ///< Through an edge or corner, or along the face, up to rounding: `meets` is unreliable.
   bool leaving = false;  ///< Meets the back of the face (the clockwise side).
-  double along = 0.0;    ///< In multiples of the direction's length.
+  double along = 0.0;    ///< In multiples of the direction's length. Where it grazes: the place on the triangle's plane;
+                         ///< infinite if the triangle is seen edge-on or is behind the origin, or if nothing is met.
 };
 
 /// Whether the ray meets the box nearer than `farthest` (in multiples of the direction's length); `entry` is then the

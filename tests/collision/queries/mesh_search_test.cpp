@@ -113,6 +113,30 @@ TEST_F(MeshSearch, RaysMeetTheNearestTriangle) {
   EXPECT_GT(hits, 20);
 }
 
+TEST_F(MeshSearch, RaysThroughEdgesAndCornersOfASolidMeetIt) {
+  // Along the diagonals of the six faces of a box, and through its edges and corners, turned in several ways.
+  const auto box = MeshCollider::build(test::boxMesh(dvec3(0.2)));
+  const Pose turned{{0.1, 0.2, 0.3}, dquat(dvec3(0.3, 0.7, -0.2))};
+  for (const Pose& X_WM : {Pose{}, Pose::translation({0.3, -0.1, 0.7}), turned}) {
+    const Pose X_MW = X_WM.inverse();
+    for (int x = -2; x <= 2; ++x) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int z = -2; z <= 2; ++z) {
+          const dvec3 on_surface = 0.5 * dvec3(x, y, z) * box->mesh().bounds().max;
+          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) < 2) continue;
+          // To the centre of the box: along the lines in which the triangles of a face meet.
+          const dvec3 origin = X_MW * (X_WM * (3.0 * on_surface)), direction = X_MW.rotate(X_WM.rotate(-on_surface));
+          const RayHit hit = castRay(*box, origin, direction);
+          ASSERT_TRUE(hit.found) << x << ' ' << y << ' ' << z;
+          EXPECT_NEAR(hit.along, 2.0, 1e-9);
+          EXPECT_LT(glm::distance(hit.p_MQ, on_surface), 1e-9);
+          EXPECT_FALSE(castRay(*box, origin, -direction).found) << "the box is behind the origin";
+        }
+      }
+    }
+  }
+}
+
 TEST_F(MeshSearch, CollectingPairsStopsAtTheMaximum) {
   std::vector<TrianglePair> pairs;
   EXPECT_FALSE(trianglePairsWithin(*mesh_, *mesh_, {}, 0.1, pairs, 10));
