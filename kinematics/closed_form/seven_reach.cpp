@@ -15,8 +15,8 @@ constexpr double kReserve = 1e-5;
 // rad: a piece this narrow that is not excluded ends the proof. Half: one more evaluation for each reachable pose; twice:
 // more poses that just miss the limits are left to the search.
 constexpr double kNarrowest = 2e-4;
-// Pieces looked at in one proof, under 0.3 us each. Half: a few poses near the limits are left to the search; twice: no
-// effect on 4000 poses.
+// Pieces looked at in one proof, a bound of its time; chosen, not tuned. Half: poses near the limits may be left to the
+// search; twice: such a pose may cost twice as much before the search begins.
 constexpr int kMostPieces = 1024;
 // Pieces in a row that wait to be looked at: one for each halving of a whole turn down to kNarrowest, and one spare.
 constexpr int kMostWaiting = 20;
