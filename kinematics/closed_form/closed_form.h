@@ -39,8 +39,8 @@ class ClosedForm {
   /// The solutions of one entry of a ring, as solve() gives them.
   virtual void ofRing(const kernels::SwivelRing& /*ring*/, int /*index*/, kernels::Solutions& /*solutions*/) const {}
 
-  /// True: proven that no joint positions within `bounds` reach this pose with the free parameter in `from` to `to` (rad).
-  /// False: not decided, as always for six joints.
+  /// True: proven that no joint positions within `bounds` reach this pose with the free parameter in `from` to `to`
+  /// (rad). False: not decided, as always for six joints.
   virtual bool provesNone(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, const kernels::JointBounds& /*bounds*/,
                           double /*from*/, double /*to*/) const {
     return false;

@@ -9,11 +9,11 @@ namespace hapticell::kinematics {
 
 namespace {
 
-// m, rad and of a direction: ten times what the axes of an exact class may be off (ClassTolerance::exact), far more than
-// the search accepts. Half: no effect; twice: a pose that the limits miss by 2e-5 is left to the search.
+// m, rad and of a direction: ten times what the axes of an exact class may be off (ClassTolerance::exact), far more
+// than the search accepts. Half: no effect; twice: a pose that the limits miss by 2e-5 is left to the search.
 constexpr double kReserve = 1e-5;
-// rad: a piece this narrow that is not excluded ends the proof. Half: one more evaluation for each reachable pose; twice:
-// more poses that just miss the limits are left to the search.
+// rad: a piece this narrow that is not excluded ends the proof. Half: one more evaluation for each reachable pose;
+// twice: more poses that just miss the limits are left to the search.
 constexpr double kNarrowest = 2e-4;
 // Pieces looked at in one proof, a bound of its time; chosen, not tuned. Half: poses near the limits may be left to the
 // search; twice: such a pose may cost twice as much before the search begins.

@@ -12,8 +12,8 @@ namespace hapticell::kinematics {
 /// A value; no heap, thread-safe. The closed form is that of kernels/seven_lanes.h, whose letters are used.
 class SevenReach {
  public:
-  /// Plain data, read while the object lives: `arm`, `bounds` (rad) and `pose` in the arm's canonical frames. `srs`: the
-  /// free parameter is the swivel (rad), otherwise joint 7.
+  /// Plain data, read while the object lives: `arm`, `bounds` (rad) and `pose` in the arm's canonical frames. `srs`:
+  /// the free parameter is the swivel (rad), otherwise joint 7.
   SevenReach(const kernels::SevenArm& arm, const kernels::JointBounds& bounds, const kernels::ArmPose& pose, bool srs);
 
   /// True: proven that nothing within limits has the free parameter in `from` to `to`, by halves. False: not decided.

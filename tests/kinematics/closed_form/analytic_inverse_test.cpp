@@ -53,8 +53,8 @@ TEST(AnalyticInverse, SolvesEveryReachablePoseOfEveryClass) {
   }
 }
 
-// solveAll() proves most poses out of reach by intervals; solve() searches, by samples and by descent, and knows nothing of
-// the proof.
+// solveAll() proves most poses out of reach by intervals; solve() searches, by samples and by descent, and knows
+// nothing of the proof.
 TEST(AnalyticInverse, ProvesNoPoseOfSevenAxesOutOfReachThatASearchReaches) {
   for (const auto& make : {test::panda, test::iiwa}) {
     const Robot robot(make());
