@@ -144,9 +144,15 @@ double AnalyticInverse::leastExcess(const kernels::Solutions& solutions) const {
 }
 
 // Where the limits leave a narrow way only, it passes between the places of solveAll(): it is searched in ever finer
-// steps of the last free parameter; where these come near, the descent looks between them.
+// steps of the last free parameter; where these come near, the descent looks between them. Most poses out of reach are
+// proven so before.
 void AnalyticInverse::addBetweenSamples(const Pose& X_BT, const ChainPositions& x_start,
                                         const std::vector<double>& q_start, std::vector<Found>& all) const {
+  if (rails_ == 0 && closed_->redundancy() == 1 && !classification_.calibrated) {
+    double lower, upper;
+    freeRange(0, lower, upper);
+    if (closed_->provesNone(X_BT.R(), X_BT.p, bounds_, lower, upper)) return;
+  }
   Best best;
   searchFree(X_BT, x_start, best);
   double least = best.any ? 0.0 : std::numeric_limits<double>::infinity();

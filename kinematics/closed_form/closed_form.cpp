@@ -7,6 +7,7 @@
 #include "kinematics/closed_form/offset_wrist.h"
 #include "kinematics/closed_form/opw_geometry.h"
 #include "kinematics/closed_form/scara.h"
+#include "kinematics/closed_form/seven_reach.h"
 #include "kinematics/closed_form/spherical_arm.h"
 
 namespace hapticell::kinematics {
@@ -121,6 +122,12 @@ class SevenForm final : public ClosedForm {
   }
   void ofRing(const kernels::SwivelRing& ring, int index, kernels::Solutions& solutions) const override {
     kernels::table().srsOfRing(arm_, ring, index, solutions);
+  }
+  bool provesNone(const dmat3& R_BT, const dvec3& p_BT, const kernels::JointBounds& bounds, double from,
+                  double to) const override {
+    kernels::ArmPose pose;
+    frames_.map(R_BT, p_BT, pose);
+    return SevenReach(arm_, bounds, pose, srs_).provesNone(from, to);
   }
   double redundancyAt(const dmat3& R_BT, const dvec3& p_BT, const double* q) const override {
     if (!srs_) return q[6];

@@ -39,6 +39,13 @@ class ClosedForm {
   /// The solutions of one entry of a ring, as solve() gives them.
   virtual void ofRing(const kernels::SwivelRing& /*ring*/, int /*index*/, kernels::Solutions& /*solutions*/) const {}
 
+  /// True: proven that no joint positions within `bounds` reach this pose with the free parameter in `from` to `to`
+  /// (rad). False: not decided, as always for six joints.
+  virtual bool provesNone(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, const kernels::JointBounds& /*bounds*/,
+                          double /*from*/, double /*to*/) const {
+    return false;
+  }
+
   /// The free parameter (rad) of joint positions `q` that bring the tip to this pose: the swivel of the elbow, or joint
   /// 7.
   virtual double redundancyAt(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, const double* /*q*/) const { return 0.0; }

@@ -53,6 +53,31 @@ TEST(AnalyticInverse, SolvesEveryReachablePoseOfEveryClass) {
   }
 }
 
+// solveAll() proves most poses out of reach by intervals; solve() searches, by samples and by descent, and knows
+// nothing of the proof.
+TEST(AnalyticInverse, ProvesNoPoseOfSevenAxesOutOfReachThatASearchReaches) {
+  for (const auto& make : {test::panda, test::iiwa}) {
+    const Robot robot(make());
+    std::mt19937_64 random(47);
+    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    std::normal_distribution<double> normal;
+    const std::vector<double> start = restPositions(robot.model);
+    int reached = 0;
+    for (int i = 0; i < 250; ++i) {
+      Pose X_BT;
+      for (int k = 0; k < 3; ++k) X_BT.p[k] = robot.inverse->chain()->reach() * place(random);
+      X_BT.q = glm::normalize(dquat(normal(random), normal(random), normal(random), normal(random)));
+      const auto all = robot.inverse->solveAll(X_BT, start);
+      const bool listed = std::any_of(all.begin(), all.end(), [](const auto& one) { return one.within_limits; });
+      const bool solved = robot.inverse->solve(X_BT, start).status == InverseStatus::kSolved;
+      ASSERT_EQ(listed, solved) << robot.inverse->name() << " " << i;
+      reached += solved ? 1 : 0;
+    }
+    EXPECT_GT(reached, 10);
+    EXPECT_LT(reached, 125);
+  }
+}
+
 // A narrow way within the limits passes between 16 places of the seventh joint (0.66 % of these poses). The way through
 // all of them is known: the joints that made the pose.
 TEST(AnalyticInverse, ListsASolutionWithinLimitsOfEveryReachablePoseOfSevenAxes) {
