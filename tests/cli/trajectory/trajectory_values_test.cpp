@@ -13,6 +13,7 @@
 #include "cli/trajectory/trajectory_command.h"
 #include "cli/trajectory/trajectory_edits.h"
 #include "cli/trajectory/trajectory_export.h"
+#include "cli/trajectory/trajectory_options.h"
 #include "cli/trajectory/trajectory_report.h"
 #include "cli/trajectory/trajectory_retiming.h"
 #include "cli/trajectory/trajectory_robot.h"
