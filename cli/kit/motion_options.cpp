@@ -22,7 +22,7 @@ Expected<mannequin::MotionReading> motionReading(const std::string& up, const st
 void addReading(const mannequin::RecordedMotion& motion, nlohmann::ordered_json& document) {
   document["up"] = mannequin::nameOf(motion.up);
   if (!motion.marker_set.empty()) document["marker_set"] = motion.marker_set;
-  nlohmann::ordered_json& assumptions = document["assumptions"];
+  nlohmann::ordered_json& assumptions = document["assumptions"] = nlohmann::ordered_json::array();
   for (const Text& sentence : motion.assumptions) assumptions.push_back(sentence);
 }
 

@@ -62,8 +62,11 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   if (key == "moved_by") {
     const manipulation::BodyLocks* locked = manipulation::locksOf(options.moved_by);
     const manipulation::BodyLocks locks = locked ? *locked : manipulation::BodyLocks();
-    HAPTICELL_TRY(take(manipulation::parseMovedBy(value), options.moved_by));
-    return manipulation::setLocks(options.moved_by, locks);
+    auto moved_by = manipulation::parseMovedBy(value);
+    HAPTICELL_TRY(moved_by);
+    HAPTICELL_TRY(manipulation::setLocks(*moved_by, locks));
+    options.moved_by = std::move(*moved_by);
+    return {};
   }
   if (key == "axes") return take(manipulation::parseAxes(value), options.axes);
   if (key == "scale") return take(manipulation::parseScale(value), options.scale);

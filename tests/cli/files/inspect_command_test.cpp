@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
-#include "cli/kit/workcell_arguments.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::cli {
@@ -204,25 +203,6 @@ TEST_F(FileCommands, WhatIsWrongIsOneSentenceAndNothingIsWritten) {
   EXPECT_EQ(run({"workcell", "new", "cell.txt", "--add", "part.obj"}), 2);
   EXPECT_EQ(run({"workcell", "new", "missing/cell.hcell", "--add", "part.obj"}), 2);
   EXPECT_EQ(run({"inspect", "none.hcell"}), 2);
-}
-
-TEST(WorkcellArguments, WhatMayHoldCommas) {
-  const auto addition = parseAddition("odd,name.stl,name=a,b,unit=in,pose=1,0,0,1,0,0,0");
-  ASSERT_TRUE(addition.has_value());
-  EXPECT_EQ(addition->what, "odd,name.stl");
-  EXPECT_EQ(addition->name, "a,b");
-  EXPECT_DOUBLE_EQ(addition->options.metres_per_unit.value_or(0.0), 0.0254);
-  EXPECT_EQ(addition->X_WE.p.x, 1.0);
-  EXPECT_FALSE(parseAddition(",name=a").has_value());
-}
-
-TEST(WorkcellArguments, ChecksHaveTwoSides) {
-  const auto set = parseCheck("a+b c:d,safety=0");
-  ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(set->first, ElementsAre("a", "b c"));
-  EXPECT_THAT(set->second, ElementsAre("d"));
-  EXPECT_EQ(set->safety_distance, 0.0);
-  EXPECT_EQ(set->near_miss, workcell::PairSet{}.near_miss);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "cli/command_line.h"
 #include "geometry/shapes/shapes.h"
+#include "tests/cli/kit/kept_words.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::cli {
@@ -21,19 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-class Kept final : public CommandListener {
- public:
-  void hearResult(const nlohmann::ordered_json& result) override { results.push_back(result); }
-  void hearText(const std::string& text) override { texts += text; }
-  void hearError(const Error& error) override { errors.push_back(error); }
-  void hearWarning(const Text& sentence) override { warnings.push_back(sentence); }
-  void hearProgress(double /*share*/, const std::string& /*stage*/) override {}
-
-  std::vector<nlohmann::ordered_json> results;
-  std::string texts;
-  std::vector<Error> errors;
-  std::vector<Text> warnings;
-};
+using Kept = test::KeptWords;
 
 /// Two tetrahedra and poses of one of them, as files.
 class CommandListenerTest : public ::testing::Test {
