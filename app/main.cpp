@@ -78,8 +78,8 @@ void addOptions(QCommandLineParser& parser) {
   parser.addPositionalArgument(
       "file",
       "Workcell (*.hcell), exercise (*.hexercise), training results (*.htrain), study (*.hstudy), its results "
-      "(*.hresults) or motion (*.htraj) to open, or a CAD file, mesh or robot to import into a new cell. Default: the "
-      "start page, or the cell opened last.",
+      "(*.hresults), motion (*.htraj) or recording (*.mcap) to open, or a CAD file, mesh or robot to import into a new "
+      "cell. Default: the start page, or the cell opened last.",
       "[file]");
   parser.addOptions(
       {{"screenshot", "Save a picture of the window when it has finished drawing.", "file.png"},

@@ -47,7 +47,8 @@ void openStudy(MainWindow& window, StudyPanel& panel, const QString& path) {
 
 bool isOwnFile(const QString& path) {
   const QString ending = endingOf(path);
-  return ending == "htraj" || ending == "hexercise" || ending == "htrain" || ending == "hstudy" || ending == "hresults";
+  return ending == "htraj" || ending == "mcap" || ending == "hexercise" || ending == "htrain" || ending == "hstudy" ||
+         ending == "hresults";
 }
 
 void openAny(MainWindow& window, const QString& path) {
@@ -58,7 +59,7 @@ void openAny(MainWindow& window, const QString& path) {
   auto* const results = window.findChild<ResultsPanel*>();
   if (ending == "hcell") {
     window.openFile(path);
-  } else if (ending == "htraj" && motions != nullptr) {
+  } else if ((ending == "htraj" || ending == "mcap") && motions != nullptr) {
     motions->importFrom({path}, {});
   } else if (ending == "hexercise" && training != nullptr) {
     training->openExercise(path);

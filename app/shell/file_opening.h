@@ -7,12 +7,12 @@ namespace hapticell::app {
 
 class MainWindow;
 
-/// True for the program's own files other than workcells: *.htraj, *.hexercise, *.htrain, *.hstudy, *.hresults.
+/// True for files of the program other than workcells: *.htraj, *.mcap, *.hexercise, *.htrain, *.hstudy, *.hresults.
 bool isOwnFile(const QString& path);
 
 /// Opens a file that was double-clicked, dropped or named on the command line: a workcell replaces the present one, an
-/// exercise, training results or a study open with their cell, a motion is added to those of the cell, anything else is
-/// imported. Problems are reported in the messages.
+/// exercise, training results or a study open with their cell, motions of a file or a recording are added to
+/// those of the cell, anything else is imported. Problems are reported in the messages.
 void openAny(MainWindow& window, const QString& path);
 
 }  // namespace hapticell::app

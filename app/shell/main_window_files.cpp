@@ -146,10 +146,11 @@ void MainWindow::addRobotFromDialog() {
 }
 
 void MainWindow::openFromDialog() {
-  replaceDocument([this] {
-    const QString path = askToOpen(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
-    if (!path.isEmpty()) openFile(path);
-  });
+  const QString path = askToOpen(this, tr("Open a workcell or a recording"), {},
+                                 tr("Workcells (*.hcell);;Motions and recordings (*.htraj *.mcap);;All files (*)"));
+  if (path.isEmpty()) return;
+  if (isOwnFile(path)) return openAny(*this, path);
+  replaceDocument([this, path] { openFile(path); });
 }
 
 void MainWindow::openFile(const QString& path) {

@@ -5839,8 +5839,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer — %1</translation>
     </message>
     <message>
-        <source>Imported program</source>
-        <translation>Programme importé</translation>
+        <source>Imported motion</source>
+        <translation>Mouvement importé</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -7595,8 +7595,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir une étude…</translation>
     </message>
     <message>
-        <source>Open a workcell</source>
-        <translation>Ouvrir une cellule</translation>
+        <source>Open a workcell or a recording</source>
+        <translation>Ouvrir une cellule ou un enregistrement</translation>
     </message>
     <message>
         <source>Open a workcell…</source>
@@ -11171,8 +11171,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Trajectoires</translation>
     </message>
     <message>
-        <source>Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Robot programs: KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</source>
-        <translation>Trajectoires (*.htraj *.json *.csv *.yaml *.yml);;Programmes de robots : KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</translation>
+        <source>Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Recordings (*.mcap);;Robot programs: KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</source>
+        <translation>Trajectoires (*.htraj *.json *.csv *.yaml *.yml);;Enregistrements (*.mcap);;Programmes de robots : KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</translation>
     </message>
     <message>
         <source>Trajectory</source>
@@ -11719,8 +11719,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cellules (*.hcell)</translation>
     </message>
     <message>
-        <source>Workcells (*.hcell);;All files (*)</source>
-        <translation>Cellules (*.hcell);;Tous les fichiers (*)</translation>
+        <source>Workcells (*.hcell);;Motions and recordings (*.htraj *.mcap);;All files (*)</source>
+        <translation>Cellules (*.hcell);;Mouvements et enregistrements (*.htraj *.mcap);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Working zones (as EN ISO 14738)</source>
@@ -14539,6 +14539,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>at_least ou at_most</translation>
     </message>
     <message>
+        <source>attachment, not read: %1</source>
+        <translation>pièce jointe, non lue : %1</translation>
+    </message>
+    <message>
         <source>attempt %1</source>
         <translation>essai %1</translation>
     </message>
@@ -14781,6 +14785,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>contacts felt: %1</source>
         <translation>contacts sentis : %1</translation>
+    </message>
+    <message>
+        <source>contacts of the session, not read: %1</source>
+        <translation>contacts de la session, non lus : %1</translation>
     </message>
     <message>
         <source>contacts: %1</source>
@@ -16387,6 +16395,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>mouvements</translation>
     </message>
     <message>
+        <source>motions in the file, of which the first is read: %1</source>
+        <translation>mouvements dans le fichier, dont le premier est lu : %1</translation>
+    </message>
+    <message>
         <source>motions of one robot</source>
         <translation>des mouvements d’un même robot</translation>
     </message>
@@ -17631,6 +17643,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les résultats de cette étude</translation>
     </message>
     <message>
+        <source>results of training, not read: %1</source>
+        <translation>résultats d'entraînement, non lus : %1</translation>
+    </message>
+    <message>
         <source>results of version %1</source>
         <translation>les résultats de la version %1</translation>
     </message>
@@ -17729,6 +17745,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>sample %1</source>
         <translation>échantillon %1</translation>
+    </message>
+    <message>
+        <source>samples of the stylus, not read: %1</source>
+        <translation>échantillons du stylet, non lus : %1</translation>
     </message>
     <message>
         <source>samples with a method that has none</source>

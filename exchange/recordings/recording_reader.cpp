@@ -283,23 +283,64 @@ Expected<Recording> readMcapRecording(const std::filesystem::path& file, const s
   return parseMcapRecording(*bytes, file.string(), topic);
 }
 
-Expected<Trajectory> readMcapMotion(const std::filesystem::path& file, const std::string& topic,
-                                    std::vector<Text>* notes) {
-  auto recording = readMcapRecording(file, topic);
-  HAPTICELL_TRY(recording);
-  if (notes) notes->insert(notes->end(), recording->notes.begin(), recording->notes.end());
-  if (!recording->motions.empty()) return std::move(recording->motions.front());
-  if (recording->stylus.empty())
+namespace {
+
+/// Of the file `file`, which has no other motion.
+Expected<Trajectory> stylusMotion(const Recording& recording, const std::filesystem::path& file,
+                                  std::vector<Text>& notes) {
+  if (recording.stylus.empty())
     return makeError({file.string(), "topics", "no motion", "poses or joints of something that moved", {}});
-  if (notes) notes->push_back("the file has no motion of an entity; that of the stylus is read");
+  notes.push_back("the file has no motion of an entity; that of the stylus is read");
   Trajectory motion;
   motion.name = file.stem().string();
   motion.channel_names = {"force_x", "force_y", "force_z", "contact"};
-  for (const StylusSample& sample : recording->stylus) {
+  for (const StylusSample& sample : recording.stylus) {
     const double channels[] = {sample.force_D.x, sample.force_D.y, sample.force_D.z, sample.contact ? 1.0 : 0.0};
     motion.addFrame({sample.t, sample.X_DS}, {}, channels);
   }
   return motion;
+}
+
+/// What the recording has beside its motions.
+void noteTheRest(const Recording& recording, std::vector<Text>& notes) {
+  if (!recording.motions.empty() && !recording.stylus.empty())
+    notes.push_back(Text("samples of the stylus, not read: %1", recording.stylus.size()));
+  if (!recording.contacts.empty())
+    notes.push_back(Text("contacts of the session, not read: %1", recording.contacts.size()));
+  if (!recording.trainings.empty())
+    notes.push_back(Text("results of training, not read: %1", recording.trainings.size()));
+  for (const auto& [name, content] : recording.files) notes.push_back(Text("attachment, not read: %1", name));
+}
+
+}  // namespace
+
+Expected<Trajectory> readMcapMotion(const std::filesystem::path& file, const std::string& topic,
+                                    std::vector<Text>* notes) {
+  auto recording = readMcapRecording(file, topic);
+  HAPTICELL_TRY(recording);
+  std::vector<Text> unheard;
+  std::vector<Text>& into = notes ? *notes : unheard;
+  into.insert(into.end(), recording->notes.begin(), recording->notes.end());
+  if (recording->motions.empty()) return stylusMotion(*recording, file, into);
+  if (recording->motions.size() > 1)
+    into.push_back(Text("motions in the file, of which the first is read: %1", recording->motions.size()));
+  return std::move(recording->motions.front());
+}
+
+Expected<McapMotions> readMcapMotions(const std::filesystem::path& file, std::vector<Text>& notes) {
+  auto recording = readMcapRecording(file);
+  HAPTICELL_TRY(recording);
+  notes.insert(notes.end(), recording->notes.begin(), recording->notes.end());
+  McapMotions read;
+  read.is_stylus = recording->motions.empty();
+  if (read.is_stylus) {
+    auto motion = stylusMotion(*recording, file, notes);
+    HAPTICELL_TRY(motion);
+    read.motions.push_back(std::move(*motion));
+  }
+  noteTheRest(*recording, notes);
+  if (!read.is_stylus) read.motions = std::move(recording->motions);
+  return read;
 }
 
 bool isMcapFile(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "exchange/recordings/recording.h"
 #include "geometry/system/error.h"
@@ -27,6 +28,15 @@ Expected<Recording> parseMcapRecording(std::string_view bytes, const std::string
 /// The first motion of such a file; if it has no motion of an entity, that of the stylus.
 Expected<trajectory::Trajectory> readMcapMotion(const std::filesystem::path& file, const std::string& topic = {},
                                                 std::vector<Text>* notes = nullptr);
+
+/// What of such a file can be shown as motions.
+struct McapMotions {
+  std::vector<trajectory::Trajectory> motions;  ///< All of the file, the first as readMcapMotion() gives it.
+  bool is_stylus = false;                       ///< The only one is the stylus in the device's frame.
+};
+
+/// All motions of such a file. `notes` says what else it holds.
+Expected<McapMotions> readMcapMotions(const std::filesystem::path& file, std::vector<Text>& notes);
 
 /// True for names that end in .mcap, in any case.
 bool isMcapFile(const std::filesystem::path& file);

@@ -18,7 +18,7 @@ OWN = {"cell.hcell": "application/x-hapticell-workcell", "a.htraj": "application
        "a.hexercise": "application/x-hapticell-exercise", "a.htrain": "application/x-hapticell-training",
        "a.hstudy": "application/x-hapticell-study", "a.hresults": "application/x-hapticell-study-results"}
 OTHERS = {"a.step": "model/step", "a.stp": "model/step", "a.iges": "model/iges", "a.stl": "model/stl",
-          "a.urdf": "application/x-urdf+xml"}
+          "a.urdf": "application/x-urdf+xml", "a.mcap": "application/x-mcap"}
 
 
 def call(*words, **more):

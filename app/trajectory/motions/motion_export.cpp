@@ -16,6 +16,7 @@
 #include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/trajectory/motions/motion_list.h"
+#include "exchange/recordings/recording_reader.h"
 #include "geometry/system/scratch_folder.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/program_configuration.h"
@@ -104,6 +105,58 @@ Expected<void> writeChecked(const Trajectory& motion, const QString& format, con
   const std::filesystem::path trial = folder->path() / ("motion" + extension.toStdString());
   if (auto kept = workcell::writeFileChecked(trial, file.content, check); !kept) return kept;
   return workcell::writeFileAtomically(file.name, file.content);
+}
+
+using Entities = std::vector<std::shared_ptr<const workcell::Entity>>;
+
+/// The only robot of the cell that has all these joints; empty: none, or several.
+std::string robotWithJoints(const Entities& entities, const std::vector<std::string>& joints) {
+  std::string found;
+  for (const auto& entity : entities) {
+    if (!entity->robot() || joints.empty()) continue;
+    const auto has = [&](const std::string& joint) { return entity->robot()->findJoint(joint) >= 0; };
+    if (!std::all_of(joints.begin(), joints.end(), has)) continue;
+    if (!found.empty()) return {};
+    found = entity->name;
+  }
+  return found;
+}
+
+/// With an entity and with poses, as the cell needs it.
+Expected<void> fitToCell(Trajectory& motion, const Entities& entities, const std::string& entity, const std::string& file) {
+  if (motion.entity.empty()) motion.entity = entity;
+  if (motion.entity.empty()) motion.entity = robotWithJoints(entities, motion.joint_names);
+  if (motion.has_poses) return {};
+  const auto moved =
+      std::find_if(entities.begin(), entities.end(), [&](const auto& one) { return one->name == motion.entity; });
+  if (moved == entities.end() || !(*moved)->robot()) {
+    return makeError({.file = file,
+                      .found = "joint values without poses",
+                      .expected = "the robot of these joints",
+                      .fix = "Choose the robot in the cell, then import the motion again."});
+  }
+  auto posed = manipulation::posesFromJoints(**moved, motion);
+  HAPTICELL_TRY(posed);
+  motion = std::move(*posed);
+  return {};
+}
+
+/// The motions of a file, those of a recording all. A stylus is no entity of the cell and gets none.
+Expected<std::vector<Trajectory>> motionsOf(const std::string& file, const Entities& entities, const std::string& entity,
+                                            std::vector<Text>& notes) {
+  std::vector<Trajectory> motions;
+  if (exchange::isMcapFile(file)) {
+    auto read = exchange::readMcapMotions(file, notes);
+    HAPTICELL_TRY(read);
+    if (read->is_stylus) return std::move(read->motions);
+    motions = std::move(read->motions);
+  } else {
+    auto read = trajectory::readTrajectory(file, &notes);
+    HAPTICELL_TRY(read);
+    motions.push_back(std::move(*read));
+  }
+  for (Trajectory& motion : motions) HAPTICELL_TRY(fitToCell(motion, entities, entity, file));
+  return motions;
 }
 
 }  // namespace
@@ -208,7 +261,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
 void MotionExport::askImport() {
   const QStringList paths =
       askToOpenSeveral(&host_.window(), tr("Import motions"), {},
-                       tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Robot programs: KRL, RAPID, FANUC, "
+                       tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Recordings (*.mcap);;Robot programs: KRL, RAPID, FANUC, "
                           "URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)"));
   if (paths.isEmpty()) return;
   const auto* entity = host_.documentModel().document().find(host_.selection().current());
@@ -224,32 +277,20 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         auto remarks = std::make_shared<QStringList>();
         for (const QString& path : paths) {
           std::vector<Text> notes;
-          auto read = trajectory::readTrajectory(path.toStdString(), &notes);
+          auto read = motionsOf(path.toStdString(), entities, entity, notes);
           HAPTICELL_TRY(read);
-          if (read->entity.empty()) read->entity = entity;
-          if (!read->has_poses) {
-            const auto moved = std::find_if(entities.begin(), entities.end(),
-                                            [&](const auto& one) { return one->name == read->entity; });
-            if (moved == entities.end() || !(*moved)->robot()) {
-              return makeError({.file = path.toStdString(),
-                                .found = "joint values without poses",
-                                .expected = "the robot of these joints",
-                                .fix = "Choose the robot in the cell, then import the motion again."});
-            }
-            auto posed = manipulation::posesFromJoints(**moved, *read);
-            HAPTICELL_TRY(posed);
-            read = std::move(*posed);
+          for (Trajectory& motion : *read) {
+            const std::string name = motion.name.empty() ? QFileInfo(path).completeBaseName().toStdString() : motion.name;
+            motions->emplace_back(name, std::move(motion));
           }
-          const QString name =
-              read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
-          motions->emplace_back(name.toStdString(), std::move(*read));
           for (const Text& note : notes) *remarks << QFileInfo(path).fileName() + ": " + shownText(note);
-          monitor.report(path.toStdString(), static_cast<double>(motions->size()) / static_cast<double>(paths.size()));
+          const auto place = static_cast<double>(paths.indexOf(path) + 1);
+          monitor.report(path.toStdString(), place / static_cast<double>(paths.size()));
         }
         return BackgroundWork::Then([this, motions, remarks, paths, number] {
           if (number != host_.documentModel().number()) return;
           for (const QString& note : *remarks)
-            host_.messages().tell(Severity::kInformation, tr("Imported program"), note);
+            host_.messages().tell(Severity::kInformation, tr("Imported motion"), note);
           const auto count = static_cast<int>(motions->size());
           const bool done = list_.add(tr("Import motions"), std::move(*motions));
           if (done) emit told(tr("Motions imported: %1").arg(count), false);

@@ -38,8 +38,8 @@ class MotionExport : public QObject {
   void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options,
                 const std::optional<trajectory::PathTolerance>& simplify = {});
   void askImport();
-  /// Reads .htraj, .json, .csv, .yaml and robot programs; notes about programs become messages. A motion that names no
-  /// entity is assigned to `entity`.
+  /// Reads .htraj, .json, .csv, .yaml, robot programs and recordings (.mcap) with all their motions; notes become
+  /// messages. A motion that names no entity is assigned to `entity`, or to the only robot that has its joints.
   void importFrom(const QStringList& paths, const std::string& entity);
 
  signals:

@@ -16,6 +16,7 @@
 #include "exchange/recordings/recording_topics.h"
 #include "exchange/recordings/recording_writer.h"
 #include "exchange/recordings/trace_table.h"
+#include "trajectory/files/trajectory_io.h"
 
 namespace hapticell::exchange {
 namespace {
@@ -191,6 +192,26 @@ TEST_F(RecordingFiles, StylusAloneIsAMotion) {
   ASSERT_TRUE(motion) << motion.error().message();
   EXPECT_EQ(motion->size(), 300u);
   EXPECT_EQ(notes.size(), 1u);
+}
+
+TEST_F(RecordingFiles, AllMotionsAreReadAndTheRestIsNamed) {
+  const Recording recording = sampleRecording();
+  ASSERT_TRUE(writeMcapRecording(recording, folder_ / "all.mcap"));
+  std::vector<Text> notes, first_notes;
+  const auto all = readMcapMotions(folder_ / "all.mcap", notes);
+  const auto first = readMcapMotion(folder_ / "all.mcap", {}, &first_notes);
+  ASSERT_TRUE(all && first);
+  ASSERT_EQ(all->motions.size(), 2u);
+  EXPECT_FALSE(all->is_stylus);
+  EXPECT_EQ(trajectory::toJsonText(all->motions[0]), trajectory::toJsonText(*first));
+  EXPECT_EQ(all->motions[1].entity, "gripper");
+  std::string said;
+  for (const Text& note : notes) said += english(note) + "\n";
+  EXPECT_EQ(said,
+            "samples of the stylus, not read: 300\ncontacts of the session, not read: 1\n"
+            "results of training, not read: 1\nattachment, not read: session.json\n");
+  ASSERT_EQ(first_notes.size(), 1u);
+  EXPECT_EQ(english(first_notes[0]), "motions in the file, of which the first is read: 2");
 }
 
 }  // namespace

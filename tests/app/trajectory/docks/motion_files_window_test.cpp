@@ -8,8 +8,11 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "app/shell/file_opening.h"
 #include "app/trajectory/motions/play_video.h"
 #include "config/configuration.h"
+#include "exchange/recordings/recording_reader.h"
+#include "exchange/recordings/recording_writer.h"
 #include "manipulation/checks/motion_replay.h"
 #include "tests/app/pages/motion_page.h"
 #include "workcell/text/file_content.h"
@@ -37,6 +40,51 @@ TEST(TrajectoryDock, ExportsAndReadsBack) {
   const auto again = trajectory::readTrajectory(page.folder().filePath("x.csv").toStdString());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(trajectory::toCsvText(*again), trajectory::toCsvText(page.newest())) << "bit for bit";
+}
+
+TEST(TrajectoryDock, AnOpenedRecordingGivesAllItsMotions) {
+  MotionPage page;
+  exchange::Recording recording;
+  for (const char* const entity : {"box", "wall"}) {
+    Trajectory motion;
+    motion.name = std::string("way of ") + entity;
+    motion.entity = entity;
+    for (int i = 0; i < 5; ++i) motion.addFrame({0.25 * i, Pose::translation({0.1 * i, 1.0 / 3.0, 0.0})});
+    recording.motions.push_back(motion);
+  }
+  recording.contacts = {{0.2, 0.3, "box", "wall", 7.5}};
+  const QString path = page.folder().filePath("session.mcap");
+  ASSERT_TRUE(exchange::writeMcapRecording(recording, path.toStdString()));
+  openAny(page.window(), path);  // As a dropped file and one of the command line.
+  ASSERT_TRUE(MotionPage::until([&] { return page.motions() == 2 && page.isIdle(); }, MotionPage::kPatience));
+  const auto read = exchange::readMcapMotion(path.toStdString());  // As the command line reads it.
+  ASSERT_TRUE(read);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& motion = page.state().trajectories[i].motion;
+    ASSERT_TRUE(motion);
+    EXPECT_EQ(trajectory::toJsonText(*motion), trajectory::toJsonText(recording.motions[i])) << i;
+  }
+  EXPECT_EQ(trajectory::toJsonText(*page.state().trajectories[0].motion), trajectory::toJsonText(*read));
+  EXPECT_EQ(page.rows().size(), 2u);
+  const auto& messages = page.window().messages().messages();
+  EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [](const Message& message) {
+    return message.text == "session.mcap: contacts of the session, not read: 1";
+  }));
+}
+
+TEST(TrajectoryDock, ADamagedRecordingIsRefused) {
+  MotionPage page;
+  const QString path = page.folder().filePath("broken.mcap");
+  ASSERT_TRUE(workcell::writeFileAtomically(path.toStdString(), std::string("\x89MCAP0\r\nnothing")).has_value());
+  std::optional<bool> done;
+  auto* files = page.window().findChild<MotionExport*>();
+  QObject::connect(files, &MotionExport::finished, &page.window(), [&](const QString&, bool ok) { done = ok; });
+  page.answerFileDialog(path);
+  page.trigger("actionOpen");
+  ASSERT_TRUE(MotionPage::until([&] { return done.has_value(); }, MotionPage::kPatience));
+  EXPECT_FALSE(*done);
+  EXPECT_EQ(page.motions(), 0u);
+  EXPECT_EQ(page.window().messages().messages().back().title, "The motion was not imported");
 }
 
 TEST(TrajectoryDock, AProgramOfManyMovesIsOfferedSimplified) {
