@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks that each header of the libraries is used by a test of its own folder: geometry/shapes/pose.h by a source below
 tests/geometry/shapes. A test uses a header if it includes it, or if it names a type, a function or a constant that the header
-declares at namespace level (the test then gets the header through another one).
+declares at namespace level (the test then gets the header through another one). What is bound for Python is tested from
+Python: a header of python/engine by tests/python/NAME_test.py of a source NAME.cpp that includes it.
 
 usage: tested_headers.py PROJECT_ROOT | --self-test
 """
@@ -81,6 +82,14 @@ def untested(headers, tests):
     return found
 
 
+def tested_from_python(headers, sources, tests):
+    """The headers of python/engine that a source includes which tests/python has a test of by its name."""
+    tested = {pathlib.PurePosixPath(name).name.removesuffix("_test.py") for name in tests if name.startswith("tests/python/")}
+    used = {path for name, source in sources.items() if pathlib.PurePosixPath(name).stem in tested
+            for path in INCLUDE.findall(source)}
+    return {path for path in headers if path.startswith("python/engine/") and path in used}
+
+
 def self_test():
     header = """#pragma once
 #include "a/other.h"
@@ -103,6 +112,11 @@ template <class T> T twice(T t) { helper(t); return t; }
     assert untested(headers, {"tests/a/b/t.cpp": '// Box\nf("Box"); Boxes b; inside(3); helper(1); Elsewhere e;'}) == ["a/b/box.h"]
     assert not untested(headers, {"tests/a/b/box_test.cpp": '#include "a/b/box.h"'})
     assert not untested(headers, {"tests/a/b/c/t.cpp": "auto x = boxOf(y);"})
+    engine = {"python/engine/a.h": "", "python/engine/b.h": "", "cli/c.h": ""}
+    sources = {"python/engine/meshes.cpp": '#include "python/engine/a.h"\n#include "cli/c.h"',
+               "python/engine/other.cpp": '#include "python/engine/b.h"'}
+    assert tested_from_python(engine, sources, {"tests/python/meshes_test.py": ""}) == {"python/engine/a.h"}
+    assert not tested_from_python(engine, sources, {"tests/other/meshes_test.py": ""})
 
 
 def main():
@@ -116,7 +130,9 @@ def main():
                 for path in sorted((root / top).rglob("*")) if path.suffix in endings}
 
     headers = {path: text for top in TESTED for path, text in texts(top, {".h"}).items()}
-    found = untested(headers, texts("tests", {".cpp", ".h", ".py"}))
+    tests = texts("tests", {".cpp", ".h", ".py"})
+    from_python = tested_from_python(headers, texts("python/engine", {".cpp"}), tests)
+    found = untested({path: text for path, text in headers.items() if path not in from_python}, tests)
     print("\n".join(f"{path}: no test below tests/{pathlib.PurePosixPath(path).parent} uses it" for path in found)
           or f"{len(headers)} headers are used by tests of their folders")
     return 1 if found or not headers else 0

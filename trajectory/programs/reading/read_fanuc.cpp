@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
 #include <map>
 
 #include "trajectory/motion/csv_table.h"
 #include "trajectory/programs/reading/fanuc_file.h"
+#include "trajectory/programs/reading/fanuc_registers.h"
 #include "trajectory/programs/reading/program_readers.h"
-#include "trajectory/programs/reading/robot_angles.h"
 
 namespace hapticell::trajectory {
 
@@ -19,20 +17,12 @@ constexpr double kFanucDegree = 0.017453292519943295;  // rad
 // an endless one is.
 constexpr std::size_t kMostSteps = 500'000;
 
-bool compared(double a, std::string_view sign, double b) {
-  if (sign == "<>") return a != b;
-  if (sign == "<=") return a <= b;
-  if (sign == ">=") return a >= b;
-  if (sign == "=") return a == b;
-  return sign == "<" ? a < b : a > b;
-}
-
 /// Runs the lines of /MN.
 class FanucRun {
  public:
   FanucRun(const FanucFile& file, ProgramPath& path) : file_(file), path_(path) {
     for (std::size_t i = 0; i < file_.lines.size(); ++i)
-      if (const auto label = bracketed(file_.lines[i].text, "LBL["); label && starts(file_.lines[i].text, "LBL["))
+      if (const auto label = fanucBracketed(file_.lines[i].text, "LBL["); label && starts(file_.lines[i].text, "LBL["))
         labels_[*label] = i;
   }
 
@@ -47,16 +37,6 @@ class FanucRun {
   }
 
  private:
-  /// "P[3:NAME]" after "P[" is 3.
-  static std::optional<int> bracketed(const std::string& text, const std::string& opening, std::size_t from = 0) {
-    const auto at = text.find(opening, from);
-    if (at == std::string::npos) return std::nullopt;
-    const auto begin = at + opening.size();
-    const auto number = parseNumber(text.substr(begin, text.find_first_of(":]", begin) - begin));
-    if (!number || *number < 0 || *number > 1e6) return std::nullopt;
-    return static_cast<int>(*number);
-  }
-
   static bool starts(const std::string& text, const char* word) { return text.starts_with(word); }
 
   void step(const FanucLine& line) {
@@ -64,7 +44,7 @@ class FanucRun {
     if (starts(text, "J P") || starts(text, "L P") || starts(text, "C P") || starts(text, "A P") || starts(text, "S P"))
       return move(line);
     if (starts(text, "LBL[")) return;
-    if (starts(text, "JMP")) return jump(line, bracketed(text, "LBL["));
+    if (starts(text, "JMP")) return jump(line, fanucBracketed(text, "LBL["));
     if (starts(text, "IF")) return condition(line);
     if (starts(text, "FOR")) return beginFor(line);
     if (starts(text, "ENDFOR")) return endFor(line);
@@ -102,122 +82,20 @@ class FanucRun {
     return std::any_of(kWords.begin(), kWords.end(), [&](const char* word) { return starts(text, word); });
   }
 
-  /// "R[1]", a number, or "R[1]+2": as far as the file says.
-  std::optional<double> number(const std::string& text) const {
-    for (std::size_t i = 1; i < text.size(); ++i) {
-      const bool is_sign = (text[i] == '+' || text[i] == '-' || text[i] == '*' || text[i] == '/') &&
-                           std::string_view("+-*/(=<>").find(text[i - 1]) == std::string_view::npos;
-      if (!is_sign) continue;
-      const auto a = number(text.substr(0, i)), b = number(text.substr(i + 1));
-      if (!a || !b) return std::nullopt;
-      if (text[i] == '+') return *a + *b;
-      if (text[i] == '-') return *a - *b;
-      if (text[i] == '*') return *a * *b;
-      return *b == 0.0 ? std::nullopt : std::optional(*a / *b);
-    }
-    if (starts(text, "R[")) {
-      const auto r = bracketed(text, "R[");
-      const auto found = r ? registers_.find(*r) : registers_.end();
-      return found == registers_.end() ? std::nullopt : std::optional(found->second);
-    }
-    if (const auto pr = registerIn(text); pr && pr->second >= 1 && pr->second <= 6) {
-      const auto found = position_registers_.find(pr->first);
-      if (found == position_registers_.end() || !found->second.X) return std::nullopt;
-      return elementOf(found->second, pr->second);
-    }
-    return parseNumber(text);
-  }
-
-  /// Nor the names in brackets: R[1:UP-DOWN].
-  static std::string withoutBlanks(std::string text) {
-    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-    for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at)) {
-      const std::size_t end = text.find(']', at);
-      if (end == std::string::npos) break;
-      text.erase(at, end - at);
-    }
-    return text;
-  }
-
   void assign(const FanucLine& line) {
-    const std::string text = withoutBlanks(line.text);
-    const auto r = bracketed(text, "R[");
-    const auto equals = text.find('=');
-    if (!r || equals == std::string::npos) return path_.skip(line.line);
-    const auto value = number(text.substr(equals + 1));
-    if (value)
-      registers_[*r] = *value;
-    else
-      registers_.erase(*r);
+    if (!registers_.assign(fanucWithoutBlanks(line.text))) path_.skip(line.line);
   }
 
-  /// PR[1]=P[2], PR[1]=LPOS, PR[1,3]=PR[1,3]-R[21]; what is not understood makes the register unknown.
   void assignPosition(const FanucLine& line) {
-    const std::string text = withoutBlanks(line.text);
-    const auto equals = text.find('=');
-    const auto left = registerIn(text.substr(0, equals));
-    if (!left || equals == std::string::npos) return path_.skip(line.line);
-    const std::string right = text.substr(equals + 1);
-    if (left->second == 0) return assignWhole(line, left->first, right);
-    const auto value = number(right);
-    const auto found = position_registers_.find(left->first);
-    if (found == position_registers_.end()) return;
-    if (!value || !setElement(found->second, left->second, *value)) position_registers_.erase(found);
-  }
-
-  void assignWhole(const FanucLine& line, int to, const std::string& right) {
-    std::optional<FanucPosition> value;
-    const auto pr = registerIn(right);
-    if (right == "LPOS" && path_.current()) {
-      value = FanucPosition{line.line, path_.current(), {}, frame_, false, false};
-    } else if (const auto p = starts(right, "P[") ? bracketed(right, "P[") : std::nullopt) {
-      if (const auto found = file_.positions.find(*p); found != file_.positions.end()) value = found->second;
-    } else if (pr && pr->second == 0) {
-      if (const auto found = position_registers_.find(pr->first); found != position_registers_.end())
-        value = found->second;
-    }
-    const bool is_single = right == "LPOS" || right.find(']') + 1 == right.size();
-    if (value && is_single) {
-      position_registers_[to] = *value;
-    } else {
-      position_registers_.erase(to);
-    }
-  }
-
-  /// "PR[2:NAME]" is 2 and 0, "PR[2,3:NAME]" 2 and 3.
-  static std::optional<std::pair<int, int>> registerIn(const std::string& text) {
-    if (!starts(text, "PR[")) return std::nullopt;
-    const auto end = text.find_first_of(",:]", 3);
-    if (end == std::string::npos) return std::nullopt;
-    const auto first = parseNumber(text.substr(3, end - 3));
-    if (!first || *first < 0 || *first > 1e6) return std::nullopt;
-    if (text[end] != ',') return std::pair(static_cast<int>(*first), 0);
-    const auto second = parseNumber(text.substr(end + 1, text.find_first_of(":]", end) - end - 1));
-    if (!second || *second < 1 || *second > 9) return std::nullopt;
-    return std::pair(static_cast<int>(*first), static_cast<int>(*second));
-  }
-
-  /// X, Y, Z, W, P, R are 1 to 6.
-  static bool setElement(FanucPosition& position, int element, double value) {
-    if (!position.X || element > 6) return false;
-    if (element <= 3) {
-      position.X->p[element - 1] = 1e-3 * value;
-      return true;
-    }
-    dvec3 wpr = fanucAngles(position.X->q);
-    wpr[element - 4] = value;
-    position.X->q = fromFanucAngles(wpr);
-    return true;
-  }
-
-  static double elementOf(const FanucPosition& position, int element) {
-    return element <= 3 ? 1e3 * position.X->p[element - 1] : fanucAngles(position.X->q)[element - 4];
+    std::optional<FanucPosition> here;
+    if (path_.current()) here = FanucPosition{line.line, path_.current(), {}, frame_, false, false};
+    if (!registers_.assignPosition(fanucWithoutBlanks(line.text), here)) path_.skip(line.line);
   }
 
   void wait(const FanucLine& line) {
-    const std::string text = withoutBlanks(line.text);
+    const std::string text = fanucWithoutBlanks(line.text);
     const auto unit = text.find("(SEC)");
-    const auto seconds = unit == std::string::npos ? std::nullopt : number(text.substr(4, unit - 4));
+    const auto seconds = unit == std::string::npos ? std::nullopt : registers_.number(text.substr(4, unit - 4));
     if (seconds)
       path_.wait(*seconds);
     else
@@ -235,27 +113,6 @@ class FanucRun {
     at_ = found->second;
   }
 
-  /// Whether "R[1]<>2" holds; nothing where the file does not say.
-  std::optional<bool> holds(std::string text) const {
-    for (const char* word : {" OR ", " AND "}) {
-      const auto at = text.find(word);
-      if (at == std::string::npos) continue;
-      const auto a = holds(text.substr(0, at)), b = holds(text.substr(at + std::string(word).size()));
-      if (!a || !b) return std::nullopt;
-      return std::string(word) == " OR " ? *a || *b : *a && *b;
-    }
-    text = withoutBlanks(text);
-    while (text.size() > 1 && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
-    for (const char* sign : {"<>", "<=", ">=", "=", "<", ">"}) {
-      const std::size_t at = text.find(sign);
-      if (at == std::string::npos) continue;
-      const auto a = number(text.substr(0, at)), b = number(text.substr(at + std::string(sign).size()));
-      if (!a || !b) return std::nullopt;
-      return compared(*a, sign, *b);
-    }
-    return std::nullopt;
-  }
-
   /// IF condition,JMP LBL[1] | CALL X; IF (condition) THEN.
   void condition(const FanucLine& line) {
     const std::string& text = line.text;
@@ -265,7 +122,7 @@ class FanucRun {
     const std::size_t end = is_block ? then : comma;
     if (end == std::string::npos || end < 2)
       return path_.noteLine(line.line, Text("'%1' is not supported and is left out.", text.substr(0, 60)));
-    const auto is_true = holds(text.substr(2, end - 2));
+    const auto is_true = registers_.holds(text.substr(2, end - 2));
     if (is_block) {
       if (!is_true) return undecidedBlock(line);
       if (!*is_true) skipTo(line, {"ELSE", "ENDIF"});
@@ -281,7 +138,7 @@ class FanucRun {
     const std::string rest = text.substr(comma + 1);
     is_decided_ = true;
     if (rest.find("JMP") != std::string::npos)
-      jump(line, bracketed(rest, "LBL["));
+      jump(line, fanucBracketed(rest, "LBL["));
     else
       path_.noteLine(line.line, Text("'%1' is not in the file; if it moves the robot, these moves are missing.", rest));
     is_decided_ = false;
@@ -323,18 +180,18 @@ class FanucRun {
 
   /// FOR R[1]=1 TO 3
   void beginFor(const FanucLine& line) {
-    const std::string text = withoutBlanks(line.text.substr(3));
+    const std::string text = fanucWithoutBlanks(line.text.substr(3));
     const bool is_down = text.find("DOWNTO") != std::string::npos;
     const auto to = text.find(is_down ? "DOWNTO" : "TO"), equals = text.find('=');
-    const auto r = bracketed(text, "R[");
+    const auto r = fanucBracketed(text, "R[");
     if (!r || to == std::string::npos || equals == std::string::npos || equals > to)
       return path_.fail(line.line, Text("an invalid FOR"), Text::plain("FOR R[1]=1 TO 3"), "");
-    const auto from = number(text.substr(equals + 1, to - equals - 1)),
-               last = number(text.substr(to + (is_down ? 6 : 2)));
+    const auto from = registers_.number(text.substr(equals + 1, to - equals - 1)),
+               last = registers_.number(text.substr(to + (is_down ? 6 : 2)));
     if (!from || !last)
       return path_.fail(line.line, Text("a FOR with limits that the file does not define"),
                         Text("numbers, or registers that the program sets"), "");
-    registers_[*r] = *from;
+    registers_.set(*r, *from);
     loops_.push_back({at_, *r, *last, is_down ? -1.0 : 1.0});
     if ((*last - *from) * loops_.back().step >= 0.0) return;
     loops_.pop_back();
@@ -347,9 +204,9 @@ class FanucRun {
   void endFor(const FanucLine& line) {
     if (loops_.empty()) return path_.fail(line.line, Text("ENDFOR without FOR"), Text::plain("FOR"), "");
     const Loop loop = loops_.back();
-    double& value = registers_[loop.register_number];
+    const double value = registers_.value(loop.register_number).value_or(0.0);
     if ((loop.to - value - loop.step) * loop.step >= 0.0) {
-      value += loop.step;
+      registers_.set(loop.register_number, value + loop.step);
       at_ = loop.first;
     } else {
       loops_.pop_back();
@@ -386,18 +243,16 @@ class FanucRun {
       return nullptr;
     }
     if (line.text.compare(place, 2, "PR") == 0) {
-      const auto pr = registerIn(line.text.substr(place));
-      const auto held = pr ? position_registers_.find(pr->first) : position_registers_.end();
-      if (held != position_registers_.end()) return &held->second;
+      const auto pr = fanucRegisterIn(line.text.substr(place));
+      if (const FanucPosition* held = pr ? registers_.position(pr->first) : nullptr) return held;
       why = Text("a target in a position register, which the program does not set");
       return nullptr;
     }
-    auto number = bracketed(line.text, "P[", place);
+    auto number = fanucBracketed(line.text, "P[", place);
     if (!number) {
       // P[R[1]]
-      const auto r = bracketed(line.text, "P[R[", place);
-      const auto found = r ? registers_.find(*r) : registers_.end();
-      if (found != registers_.end()) number = static_cast<int>(found->second);
+      const auto r = fanucBracketed(line.text, "P[R[", place);
+      if (const auto value = r ? registers_.value(*r) : std::nullopt) number = static_cast<int>(*value);
     }
     const auto found = number ? file_.positions.find(*number) : file_.positions.end();
     if (found == file_.positions.end()) {
@@ -474,8 +329,7 @@ class FanucRun {
   const FanucFile& file_;
   ProgramPath& path_;
   std::map<int, std::size_t> labels_;
-  std::map<int, double> registers_;
-  std::map<int, FanucPosition> position_registers_;
+  FanucRegisters registers_{file_.positions};
   int frame_ = 0;  // of the last target
   std::vector<Loop> loops_;
   std::size_t at_ = 0;

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <set>
 
-#include "trajectory/motion/csv_table.h"
 #include "trajectory/programs/reading/program_readers.h"
+#include "trajectory/programs/reading/rapid_functions.h"
 #include "trajectory/programs/reading/rapid_parser.h"
-#include "trajectory/programs/reading/robot_angles.h"
+#include "trajectory/programs/reading/rapid_records.h"
 
 namespace hapticell::trajectory {
 
 namespace {
-
-constexpr double kRapidDegree = 0.017453292519943295;  // rad
-constexpr double kRapidMillimetre = 1e-3;              // m
 
 using RapidWords = std::set<std::string, std::less<>>;
 
@@ -64,61 +59,12 @@ const RapidWords& stillInstructions() {
   return kWords;
 }
 
-/// The fields of the records that motion is made of, with their types.
-struct RapidField {
-  const char* record;
-  std::array<std::pair<const char*, const char*>, 6> fields;
-};
-constexpr std::array<RapidField, 9> kRecords{{
-    {"robtarget", {{{"trans", "pos"}, {"rot", "orient"}, {"robconf", ""}, {"extax", ""}, {"", ""}, {"", ""}}}},
-    {"jointtarget", {{{"robax", "robjoint"}, {"extax", ""}, {"", ""}, {"", ""}, {"", ""}, {"", ""}}}},
-    {"robjoint", {{{"rax_1", ""}, {"rax_2", ""}, {"rax_3", ""}, {"rax_4", ""}, {"rax_5", ""}, {"rax_6", ""}}}},
-    {"pos", {{{"x", ""}, {"y", ""}, {"z", ""}, {"", ""}, {"", ""}, {"", ""}}}},
-    {"orient", {{{"q1", ""}, {"q2", ""}, {"q3", ""}, {"q4", ""}, {"", ""}, {"", ""}}}},
-    {"pose", {{{"trans", "pos"}, {"rot", "orient"}, {"", ""}, {"", ""}, {"", ""}, {"", ""}}}},
-    {"wobjdata", {{{"robhold", ""}, {"ufprog", ""}, {"ufmec", ""}, {"uframe", "pose"}, {"oframe", "pose"}, {"", ""}}}},
-    {"tooldata", {{{"robhold", ""}, {"tframe", "pose"}, {"tload", ""}, {"", ""}, {"", ""}, {"", ""}}}},
-    {"speeddata", {{{"v_tcp", ""}, {"v_ori", ""}, {"v_leax", ""}, {"v_reax", ""}, {"", ""}, {"", ""}}}},
-}};
-
-/// Which item of a list of that type a field is, and the field's own type.
-std::optional<std::pair<std::size_t, std::string>> rapidField(const std::string& type, const std::string& field) {
-  for (const RapidField& record : kRecords) {
-    // A list without a type: the first record that has the field.
-    if (!type.empty() && type != record.record) continue;
-    for (std::size_t i = 0; i < record.fields.size(); ++i)
-      if (!field.empty() && field == record.fields[i].first) return std::pair(i, std::string(record.fields[i].second));
-  }
-  return std::nullopt;
-}
-
-/// [[x,y,z],[q1,q2,q3,q4],...] of a robtarget or pose.
-std::optional<Pose> rapidPose(const Value& value) {
-  if (value.kind != Value::Kind::kList || value.items.size() < 2) return std::nullopt;
-  const auto p = value.items[0].numbers(3), q = value.items[1].numbers(4);
-  if (!p || !q) return std::nullopt;
-  const dquat turn((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
-  const double norm = glm::length(turn);
-  if (!(std::abs(norm - 1.0) < 0.01)) return std::nullopt;
-  return Pose{kRapidMillimetre * dvec3((*p)[0], (*p)[1], (*p)[2]), turn / norm};
-}
-
-Value rapidTarget(const Pose& X, const Value& like) {
-  Value target = like;
-  const dvec3 p = X.p / kRapidMillimetre;
-  if (target.kind != Value::Kind::kList || target.items.size() < 2)
-    target = Value::list("robtarget", std::vector<Value>(4, Value::unknown(Text("a configuration"))));
-  target.items[0] = Value::list("pos", {p.x, p.y, p.z});
-  target.items[1] = Value::list("orient", {X.q.w, X.q.x, X.q.y, X.q.z});
-  return target;
-}
-
 class RapidRun final : public ProgramRun {
  public:
   explicit RapidRun(ProgramPath& path) : ProgramRun(rapid(), path) {
-    meaning_.variable = [](const std::string& name) { return word(name); };
+    meaning_.variable = [](const std::string& name) { return rapidWord(name); };
     meaning_.call = [this](const std::string& name, const std::vector<Argument>& given) {
-      return function(name, given);
+      return rapidFunction(name, given, path_.current());
     };
     meaning_.field = [](const Value& whole, const std::string& field) {
       const auto found = whole.kind == Value::Kind::kList ? rapidField(whole.text, field) : std::nullopt;
@@ -164,87 +110,6 @@ class RapidRun final : public ProgramRun {
   }
 
  private:
-  static Value word(const std::string& name) {
-    if (name == "tool0" || name == "wobj0") {
-      const Value none =
-          Value::list("pose", {Value::list("pos", {0.0, 0.0, 0.0}), Value::list("orient", {1.0, 0.0, 0.0, 0.0})});
-      if (name == "tool0") return Value::list("tooldata", {Value::truth(true), none});
-      return Value::list("wobjdata", {Value::truth(false), Value::truth(true), Value::word(""), none, none});
-    }
-    if (name == "pi") return Value::of(std::numbers::pi);
-    if (name == "vmax") return Value::list("speeddata", {7000.0, 500.0, 5000.0, 1000.0});
-    if (name.size() > 1 && name.front() == 'v' && name.find_first_not_of("0123456789", 1) == std::string::npos)
-      return Value::list("speeddata", {parseNumber(name.substr(1)).value_or(0.0), 500.0, 5000.0, 1000.0});
-    return Value::unknown(Text("'%1', which the file does not define", name));
-  }
-
-  static std::optional<double> numberAt(const std::vector<Argument>& given, std::size_t i) {
-    if (i >= given.size() || !given[i].value.isNumber()) return std::nullopt;
-    return given[i].value.number;
-  }
-
-  static Value unknownResult(const std::string& name, const std::vector<Argument>& given) {
-    for (const Argument& argument : given)
-      if (Text why = argument.value.whyUnknown(); !why.empty() && !argument.value.isKnown()) return Value::unknown(why);
-    return Value::unknown(Text("the result of '%1'", name));
-  }
-
-  Value function(const std::string& name, const std::vector<Argument>& given) const {
-    if (name == "crobt") {
-      const auto here = path_.current();
-      return here ? rapidTarget(*here, {}) : Value::unknown(Text("the current position of the robot"));
-    }
-    if (given.empty()) return unknownResult(name, given);
-    const Value& first = given.front().value;
-    const auto x = numberAt(given, 1), y = numberAt(given, 2), z = numberAt(given, 3);
-    if (name == "offs" || name == "reltool") {
-      const auto X = rapidPose(first);
-      if (!X || !x || !y || !z) return unknownResult(name, given);
-      const dvec3 step = kRapidMillimetre * dvec3(*x, *y, *z);
-      if (name == "offs") return rapidTarget({X->p + step, X->q}, first);
-      dvec3 turn(0.0);
-      for (const Argument& argument : given) {
-        if (argument.name.size() != 2 || argument.name[0] != 'r' || argument.name[1] < 'x' || argument.name[1] > 'z')
-          continue;
-        if (!argument.value.isNumber()) return unknownResult(name, given);
-        turn[argument.name[1] - 'x'] = argument.value.number;
-      }
-      // About x, then the new y, then the new z of the tool.
-      return rapidTarget(*X * Pose{step, fromStaubliAngles(turn)}, first);
-    }
-    if (name == "orientzyx" && numberAt(given, 0) && x && y) {
-      const dquat q = fromKukaAngles({first.number, *x, *y});
-      return Value::list("orient", {q.w, q.x, q.y, q.z});
-    }
-    if (name == "posemult" || name == "poseinv") {
-      const auto A = rapidPose(first);
-      const auto B = given.size() > 1 ? rapidPose(given[1].value) : std::optional<Pose>(Pose::identity());
-      if (!A || !B) return unknownResult(name, given);
-      Value pose = rapidTarget(name == "posemult" ? *A * *B : A->inverse(), Value::list("pose", std::vector<Value>(2)));
-      pose.text = "pose";
-      return pose;
-    }
-    if (name == "dim" && first.kind == Value::Kind::kList) return Value::of(static_cast<double>(first.items.size()));
-    if (first.isNumber()) return ofNumber(name, first.number, given);
-    return unknownResult(name, given);
-  }
-
-  static Value ofNumber(const std::string& name, double a, const std::vector<Argument>& given) {
-    if (name == "abs") return Value::of(std::abs(a));
-    if (name == "sqrt" && a >= 0.0) return Value::of(std::sqrt(a));
-    if (name == "sin") return Value::of(std::sin(a * kRapidDegree));
-    if (name == "cos") return Value::of(std::cos(a * kRapidDegree));
-    if (name == "tan") return Value::of(std::tan(a * kRapidDegree));
-    if (name == "acos") return Value::of(std::acos(std::clamp(a, -1.0, 1.0)) / kRapidDegree);
-    if (name == "asin") return Value::of(std::asin(std::clamp(a, -1.0, 1.0)) / kRapidDegree);
-    if (name == "atan") return Value::of(std::atan(a) / kRapidDegree);
-    if (name == "atan2" && numberAt(given, 1)) return Value::of(std::atan2(a, *numberAt(given, 1)) / kRapidDegree);
-    if (name == "pow" && numberAt(given, 1)) return Value::of(std::pow(a, *numberAt(given, 1)));
-    if (name == "trunc" && given.size() == 1) return Value::of(std::trunc(a));
-    if (name == "round" && given.size() == 1) return Value::of(std::round(a));
-    return unknownResult(name, given);
-  }
-
   /// [LOCAL] CONST|PERS|VAR type name{dimensions} := value
   void declare(const Tokens& tokens) {
     std::size_t at = 0;
@@ -314,7 +179,7 @@ class RapidRun final : public ProgramRun {
       ExpressionReader reader(tokens, 1, rapid(), meaning_);
       std::vector<AccessStep> steps;
       const std::string name = reader.path(steps);
-      double step = numberAt(given, 1).value_or(0.0);
+      double step = rapidNumberAt(given, 1).value_or(0.0);
       if (word == "incr" || word == "decr") step = word == "incr" ? 1.0 : -1.0;
       if (!name.empty())
         assign(name, steps, word == "clear" ? Value::of(0.0) : binary("+", given.front().value, Value::of(step)));
