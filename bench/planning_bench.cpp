@@ -153,7 +153,11 @@ struct Written {
       if (!motion || !workcell::writeFileAtomically(file, trajectory::toJsonText(*motion))) continue;
       const auto promises = planning::writtenPlanPromises(file, plan, kClearance, cell.scene, 1);
       std::remove(file.c_str());
-      if (!promises || !promises->areKept()) continue;
+      if (!promises || !promises->areKept()) {
+        std::fprintf(stderr, "rounded off by %.1f of the slack: %s\n", rounding,
+                     (promises ? promises->missed("plan") : promises.error()).message().c_str());
+        continue;
+      }
       ++kept;
       least = std::min(least, promises->list.front().measured);
       return;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
+#include <random>
 
 #include "collision/queries/proximity_query.h"
 #include "geometry/system/assertion.h"
@@ -26,6 +27,10 @@ using manipulation::MovedPart;
 /// m: nearer than this at rest counts as touching, as for JointCheck. Half: rounding decides; twice: a pair 2 um apart
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
+
+/// Joint positions at which a pair that touches at rest has to touch too to be left out. Half: a link that is in contact
+/// by chance may pass through what it touches; twice: twice the time, which is small.
+constexpr int kLastingSamples = 32;
 
 /// m of path between the places of a motion that are looked at before it is proven, which take a few us each. Half:
 /// free motions take longer; twice: more motions that end in something are found by their proof only, which takes ms.
@@ -48,6 +53,7 @@ struct FreeRange {
 struct CheckedPair {
   std::uint32_t part = 0, other = 0;
   bool own = false;
+  bool is_lasting = false;  ///< They touch whatever the joints are.
   std::vector<std::size_t> joints = {};  ///< Of an own pair: those that move the two against each other.
   Blocker words = {};
 };
@@ -178,7 +184,9 @@ struct FreeSpace::Plan {
   FreeRange freeRangeOf(const CheckedPair& pair) const;
   void addPairs(const HeldPairs& held);
   void addObstacles(const HeldPairs& held);
-  void leaveOutTouching();
+  void leaveOutLasting();
+  bool touches(const CheckedPair& pair, const std::vector<Pose>& X_WP) const;
+  EntityConfiguration anywhere(std::mt19937_64& random) const;
 };
 
 void FreeSpace::Plan::addPairs(const HeldPairs& held) {
@@ -249,21 +257,45 @@ void FreeSpace::Plan::addObstacles(const HeldPairs& held) {
 }
 
 /// A robot's first links touch what it stands on wherever it is.
-void FreeSpace::Plan::leaveOutTouching() {
-  std::vector<Pose> X_WP(model.parts().size());
-  manipulator->partPoses(present, X_WP);
+void FreeSpace::Plan::leaveOutLasting() {
+  std::vector<CheckedPair*> lasting;
+  for (CheckedPair& pair : pairs) lasting.push_back(&pair);
+  std::mt19937_64 random(1);
+  for (int i = 0; i <= kLastingSamples && !lasting.empty(); ++i) {
+    std::vector<Pose> X_WP(model.parts().size());
+    manipulator->partPoses(i == 0 ? present : anywhere(random), X_WP);
+    std::erase_if(lasting, [&](const CheckedPair* pair) { return !touches(*pair, X_WP); });
+    // Where loops close, joint positions are not free to choose.
+    if (model.form().robot()->closure != nullptr) break;
+  }
+  if (lasting.empty()) return;
   std::string names;
-  std::erase_if(pairs, [&](const CheckedPair& pair) {
-    const std::size_t obstacle = pair.other - model.parts().size();
-    const auto distance = collision::distance(model.parts()[pair.part].part->mesh.collider, X_WP[pair.part],
-                                              obstacles[obstacle], X_WO[obstacle], kRestTouching);
-    if (distance.beyond_limit) return false;
-    names += (names.empty() ? "" : ", ") + pair.words.moved + " / " + pair.words.met;
-    return true;
-  });
-  if (names.empty()) return;
-  const Text touching("not checked, because they touch at rest: %1", names);
+  for (CheckedPair* pair : lasting) {
+    names += (names.empty() ? "" : ", ") + pair->words.moved + " / " + pair->words.met;
+    pair->is_lasting = true;
+  }
+  std::erase_if(pairs, [](const CheckedPair& pair) { return pair.is_lasting; });
+  const Text touching("not checked, because they always touch: %1", names);
   note = note.empty() ? touching : Text("%1; %2", note, touching);
+}
+
+bool FreeSpace::Plan::touches(const CheckedPair& pair, const std::vector<Pose>& X_WP) const {
+  const std::size_t obstacle = pair.other - model.parts().size();
+  const auto distance = collision::distance(model.parts()[pair.part].part->mesh.collider, X_WP[pair.part],
+                                            obstacles[obstacle], X_WO[obstacle], kRestTouching);
+  return !distance.beyond_limit;
+}
+
+/// Joints anywhere in their ranges.
+EntityConfiguration FreeSpace::Plan::anywhere(std::mt19937_64& random) const {
+  EntityConfiguration at = present;
+  const kinematics::RobotModel& robot = *model.form().robot();
+  for (std::size_t i = 0; i < at.joints.size(); ++i) {
+    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[i])];
+    const double lower = std::max(joint.lower, -kProvenTurn), upper = std::min(joint.upper, kProvenTurn);
+    at.joints[i] = lower + static_cast<double>(random() >> 11) * 0x1.0p-53 * (upper - lower);
+  }
+  return at;
 }
 
 Expected<FreeSpace> FreeSpace::create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId id,
@@ -288,7 +320,7 @@ Expected<FreeSpace> FreeSpace::create(std::shared_ptr<const manipulation::Prepar
   plan->present = present;
   plan->addPairs(held);
   plan->addObstacles(held);
-  if (free.robot()) plan->leaveOutTouching();
+  if (free.robot()) plan->leaveOutLasting();
   return FreeSpace(plan);
 }
 

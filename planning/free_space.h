@@ -34,8 +34,8 @@ struct Blocker {
 /// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks; the
 /// pair rules of the document count. Links against each other need only not touch. Left out are: pairs in contact mode
 /// *Pass*, pairs that no joint moves against each other (a base on its table), and links that touch at rest. For a
-/// robot, so is what it touches where it stands now (a first link on the table), as for `ik --collision-free`; note()
-/// names it.
+/// robot, so is what it touches where it stands now and at joint positions all over its ranges too (a first link that
+/// turns on the table, a door in its hinge); note() names it. What it only touches now is checked.
 ///
 /// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
 /// was asked before.

@@ -71,7 +71,8 @@ Expected<Clearance> clearanceOfJoints(const Trajectory& fine, const std::vector<
                                       const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                       const workcell::Entity& entity, double look,
                                       const config::Configuration& configuration) {
-  auto check = manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOut);
+  auto check =
+      manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOutLasting);
   HAPTICELL_TRY(check);
   Clearance clearance{look, 0.0};
   std::vector<double> joints = entity.joints();

@@ -17035,6 +17035,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
+        <source>not checked, because they always touch: %1</source>
+        <translation>non vérifiés, parce qu'ils se touchent toujours : %1</translation>
+    </message>
+    <message>
         <source>not checked, because they touch at rest: %1</source>
         <translation>non vérifiés, parce qu'ils se touchent au repos : %1</translation>
     </message>

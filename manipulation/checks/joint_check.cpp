@@ -2,6 +2,7 @@
 #include "manipulation/checks/joint_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "kinematics/model/jacobian.h"
@@ -25,6 +26,12 @@ struct CheckedPair {
 /// m: nearer than this at rest counts as touching, as in collisionAt(). Half: rounding decides; twice: a pair 2 um apart
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
+
+/// Joint positions at which a pair has to touch to touch everywhere. Half: a link that is in contact by chance may count
+/// as one that always is; twice: twice the time, which is small.
+constexpr int kTouchPlaces = 24;
+/// rad: joints without limits are tried up to here. Half, twice: as well.
+constexpr double kFullTurn = 6.28;
 
 bool isMoved(const kinematics::RobotModel& model, int link) {
   return model.closure != nullptr || !kinematics::variablesOfChain(model, link).empty();
@@ -110,7 +117,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
   }
   JointCheck check(plan);
   check.place(plan->model.form().joints(), check.scene_);
-  if (at_rest == RestContacts::kLeaveOut) check.leaveOutTouching(*plan);
+  if (at_rest != RestContacts::kCount) check.leaveOutTouching(*plan, at_rest);
   // Whether the base is in contact does not depend on the joints: it is asked once.
   for (std::size_t i = 0; i < plan->pairs.size(); ++i) {
     if (!plan->pairs[i].fixed || plan->pairs[i].left_out) continue;
@@ -138,12 +145,34 @@ JointCheck::JointCheck(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)
   }
 }
 
-void JointCheck::leaveOutTouching(Plan& plan) {
+/// At steps through the ranges of the joints; the roots are irrational, and so all are passed unevenly.
+bool JointCheck::touchesEverywhere(collision::PairIndex pair) {
+  const workcell::Entity& form = plan_->model.form();
+  const kinematics::RobotModel& robot = *form.robot();
+  if (robot.closure != nullptr) return true;  // Its joints are not free to choose: what touches at rest is left out.
+  std::vector<double> joints = form.joints();
+  bool touches = true;
+  for (int i = 1; i <= kTouchPlaces && touches; ++i) {
+    for (std::size_t v = 0; v < joints.size(); ++v) {
+      const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[v])];
+      const double lower = std::max(joint.lower, -kFullTurn), upper = std::min(joint.upper, kFullTurn);
+      const double step = std::hypot(1.0, static_cast<double>(v + 1));
+      joints[v] = lower + std::fmod(i * step, 1.0) * (upper - lower);
+    }
+    place(joints, scene_);
+    touches = !scene_.distance(pair, kRestTouching).beyond_limit;
+  }
+  place(form.joints(), scene_);
+  return touches;
+}
+
+void JointCheck::leaveOutTouching(Plan& plan, RestContacts which) {
   std::string names;
   for (std::size_t i = 0; i < plan.pairs.size(); ++i) {
     const auto pair = static_cast<collision::PairIndex>(i);
     const auto result = scene_.distance(pair, kRestTouching);
     if (result.beyond_limit) continue;
+    if (which == RestContacts::kLeaveOutLasting && !plan.pairs[i].fixed && !touchesEverywhere(pair)) continue;
     plan.pairs[i].left_out = true;
     scene_.setEnabled(pair, false);
     obstacles_.setEnabled(pair, false);

@@ -14,9 +14,12 @@
 
 namespace hapticell::manipulation {
 
-/// What becomes of pairs that touch while the robot is as in the scene: they count like all others, or they are left
-/// out, as collisionAt() does (a robot on its table).
-enum class RestContacts { kCount, kLeaveOut };
+/// What becomes of pairs that touch while the robot is as in the scene.
+enum class RestContacts {
+  kCount,            ///< They count like all others.
+  kLeaveOut,         ///< They are left out, as collisionAt() does (a robot on its table).
+  kLeaveOutLasting,  ///< Those are left out that touch at joint positions all over the robot's ranges too.
+};
 
 /// Exact contact checks of one robot (or mechanism) at many joint positions, each by itself: no motion between them is
 /// checked. It checks what a hold of the entity checks (HeldEntity): its parts and what it carries against the cell, and
@@ -52,7 +55,8 @@ class JointCheck {
  private:
   struct Plan;
   explicit JointCheck(std::shared_ptr<const Plan> plan);
-  void leaveOutTouching(Plan& plan);
+  void leaveOutTouching(Plan& plan, RestContacts which);
+  bool touchesEverywhere(collision::PairIndex pair);
   void place(const std::vector<double>& joints, collision::Scene& scene);
   Text wordsOf(collision::PairIndex pair) const;
 

@@ -24,7 +24,7 @@ TEST(FreeSpace, AgreesWithTheJointCheckAtConfigurations) {
   const auto scene = test::robotCell(true);
   auto space = FreeSpace::create(scene, 1, {});
   ASSERT_TRUE(space) << space.error().message();
-  auto check = manipulation::JointCheck::create(scene, 1, {}, manipulation::RestContacts::kLeaveOut);
+  auto check = manipulation::JointCheck::create(scene, 1, {}, manipulation::RestContacts::kLeaveOutLasting);
   ASSERT_TRUE(check);
   space->setClearance(kClearance);
   std::mt19937 random(3);
@@ -48,7 +48,7 @@ TEST(FreeSpace, ProvesWholeMotions) {
   const auto scene = test::robotCell(true);
   auto space = FreeSpace::create(scene, 1, {});
   ASSERT_TRUE(space);
-  auto check = manipulation::JointCheck::create(scene, 1, {}, manipulation::RestContacts::kLeaveOut);
+  auto check = manipulation::JointCheck::create(scene, 1, {}, manipulation::RestContacts::kLeaveOutLasting);
   ASSERT_TRUE(check);
   space->setClearance(kClearance);
   std::mt19937 random(5);

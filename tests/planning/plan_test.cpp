@@ -164,7 +164,7 @@ TEST(Plan, ExplainsAStartInContact) {
 
 TEST(Plan, GivesUpAfterItsChecks) {
   Problem problem = robotProblem(test::robotCell());
-  problem.most_checks = 3;
+  problem.most_checks = 1;
   const auto result = plan(problem);
   ASSERT_TRUE(result);
   ASSERT_FALSE(result->isSolved());

@@ -59,6 +59,38 @@ TEST(WrittenPlan, KeepsItsPromises) {
   }
 }
 
+/// What the robot touches as it stands in the cell is in the way of a plan that begins elsewhere like all else: it was
+/// left out, and the plan led through it.
+TEST(WrittenPlan, KeepsClearOfWhatTheRobotTouchesInTheCell) {
+  Problem problem;
+  std::vector<workcell::Entity> entities{test::loaded("library:ur5e", 1, "robot", {})};
+  workcell::Entity& robot = entities.front();
+  const std::vector<double> from{0.6, -1.2, 1.2, -1.5, -1.5, 0.0}, to{-0.6, -1.2, 1.2, -1.5, -1.5, 0.0};
+  robot.setJoints({0.0, -1.2, 1.2, -1.5, -1.5, 0.0});  // Half way.
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
+  const dvec3 p_W = X_BL[static_cast<std::size_t>(robot.robot()->defaultTip())].p;
+  entities.push_back(test::loaded("box:0.1,0.1,0.1", 2, "block", Pose::translation(p_W)));
+  // Link 1 turns in it wherever it is: that is no contact to plan for.
+  entities.push_back(test::loaded("box:0.06,0.06,0.08", 3, "axle", Pose::translation({0.0, 0.0, 0.09})));
+  problem.scene = manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+  problem.entity = 1;
+  problem.start = EntityConfiguration{{}, from};
+  problem.goal = goal::ToJoints{to};
+  const auto space = FreeSpace::create(problem.scene, 1, {});
+  ASSERT_TRUE(space);
+  EXPECT_EQ(english(space->note()).find("block"), std::string::npos) << english(space->note());
+  EXPECT_NE(english(space->note()).find("axle"), std::string::npos) << english(space->note());
+  const auto result = plan(problem, *space);
+  ASSERT_TRUE(result) << result.error().message();
+  ASSERT_TRUE(result->isSolved()) << english(result->failure->reason);
+  EXPECT_NE(result->planner, "straight");
+  const Made made{problem, *result->plan, *timedMotion(*result->plan, *space)};
+  const Promises promises = measured(made, made.motion);
+  EXPECT_TRUE(promises.areKept()) << promises.missed("plan").message();
+  EXPECT_LT(promises.list.front().measured, 0.05);
+}
+
 /// The straight way leads through the wall: the check says so, whatever the plan claims.
 TEST(WrittenPlan, FindsAMotionThroughTheWall) {
   Made made = makeAroundTheWall();
