@@ -23,7 +23,7 @@ struct LiveOptions {
   std::uint64_t seed = 1;
   double period_s = 0.1;             ///< s from the end of one search to the start of the next one.
   std::size_t most_checks = 20'000;  ///< Of one search.
-  double most_seconds = 5.0;         ///< Wall time of one search.
+  double most_seconds = 5.0;         ///< Wall time of one search; not in virtual time, where its checks alone end it.
   /// True: look() itself searches, and the path becomes available after `cost_s` of the search, in seconds of the
   /// loop's clock. The same motion of the hand then gives the same paths.
   bool in_virtual_time = false;

@@ -30,6 +30,8 @@ constexpr double kAhead[] = {3.0, 2.0, 1.0, 0.5};
 /// Configurations of the hand's way that are given to a search, evenly. Half: bridges in coarse steps; twice: more
 /// checks before each search.
 constexpr std::size_t kMostHints = 64;
+/// s of a search in virtual time: its checks alone end it, so that the load of the machine decides nothing.
+constexpr double kNoLimit = 1e6;
 
 Pose toolOf(FreeSpace& space, const EntityConfiguration& at) {
   return space.toolAt(at);
@@ -153,7 +155,7 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   problem.clearance = options_.clearance;
   problem.seed = options_.seed + searches_;
   problem.most_checks = options_.most_checks;
-  problem.time_limit_s = options_.most_seconds;
+  problem.time_limit_s = options_.in_virtual_time ? kNoLimit : options_.most_seconds;
   problem.stop = stop;
   if (const auto passed = passedByHand(view, *start)) problem.through = {*passed};
   auto planned = plan(problem, *space_);

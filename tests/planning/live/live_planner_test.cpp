@@ -93,6 +93,19 @@ TEST(LivePlanner, GivesTheSameWaysInVirtualTime) {
   for (std::size_t i = 0; i < a->X_WM.size(); ++i) EXPECT_EQ(a->X_WM[i].p, b->X_WM[i].p);
 }
 
+/// A machine so slow that no wall time is left for a search.
+TEST(LivePlanner, GivesTheSameWayInVirtualTimeHoweverSlowTheMachine) {
+  LiveOptions slow = throughWindow();
+  slow.most_seconds = 0.0;
+  LivePlanner first(throughWindow()), second(slow);
+  PlanView one = viewOf(prepared()), two = viewOf(prepared());
+  const auto a = wayOf(first, one, 5.0), b = wayOf(second, two, 5.0);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(one.time_ns, two.time_ns);
+  ASSERT_EQ(a->X_WM.size(), b->X_WM.size());
+  for (std::size_t i = 0; i < a->X_WM.size(); ++i) EXPECT_EQ(a->X_WM[i].p, b->X_WM[i].p);
+}
+
 TEST(LivePlanner, AWayStaysWhileItIsFollowed) {
   LivePlanner planner(throughWindow());
   PlanView view = viewOf(prepared());
