@@ -2,8 +2,11 @@
 #include "app/ergonomics/workplace_panel.h"
 
 #include <QCheckBox>
+#include <QDockWidget>
+#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
+#include <QMainWindow>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QProgressBar>
@@ -17,13 +20,17 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/kit/dock_front.h"
+#include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
 #include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
-#include "manipulation/checks/workplace_check.h"
+#include "geometry/system/atomic_file.h"
+#include "manipulation/scene/scene_service.h"
+#include "studies/workplace/workplace_check.h"
 #include "workcell/document/part_resize.h"
 #include "workcell/entity/built_in_parts.h"
 
@@ -93,7 +100,14 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   found->addWidget(result_);
   take_ = new QPushButton(tr("Move it there"));
   take_->setObjectName("buttonTakePlace");
-  found->addWidget(take_, 0, Qt::AlignLeft);
+  save_ = new QPushButton(tr("Save as study…"));
+  save_->setObjectName("buttonSaveWorkplaceStudy");
+  save_->setToolTip(tr("Write the search as a study, and open it in the study panel"));
+  auto* after = new QHBoxLayout;
+  after->addWidget(take_);
+  after->addWidget(save_);
+  after->addStretch(1);
+  found->addLayout(after);
   column->addStretch(1);
   poll_.setInterval(100);
   connect(&poll_, &QTimer::timeout, this, [this] { bar_->setValue(static_cast<int>(100.0 * run_->progress)); });
@@ -103,6 +117,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     if (run_) run_->cancel = true;
   });
   connect(take_, &QPushButton::clicked, this, &WorkplacePanel::take);
+  connect(save_, &QPushButton::clicked, this, &WorkplacePanel::saveStudy);
   connect(view_, &WorkplaceView::chose, this, &WorkplacePanel::showMap);
   connect(&context_, &MannequinContext::documentChanged, this, &WorkplacePanel::fillStation);
   connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
@@ -149,21 +164,34 @@ void WorkplacePanel::fillStation() {
   showMoves();
 }
 
-manipulation::WorkplaceQuestion WorkplacePanel::questionOfStation() const {
-  manipulation::WorkplaceQuestion question;
+studies::WorkplaceQuestion WorkplacePanel::questionOfStation() const {
+  studies::WorkplaceQuestion question;
   question.entities = context_.host().documentModel().document().snapshotEntities();
   if (const workcell::Entity* entity = context_.entity()) question.mannequin = entity->id;
   question.station = station();
   return question;
 }
 
+studies::WorkplaceQuestion WorkplacePanel::questionOfFields() const {
+  studies::WorkplaceQuestion question = questionOfStation();
+  question.task = scores_.isEmpty() ? ergonomics::WorkTask{} : scores_.task();
+  question.rise_to = rise_->value() / 1000.0;
+  question.rise_from = -question.rise_to;
+  question.away_to = away_->value() / 1000.0;
+  question.away_from = -question.away_to;
+  question.rise_step = question.away_step = step_->value() / 1000.0;
+  question.may_sit = sit_->isChecked();
+  return question;
+}
+
 void WorkplacePanel::showMoves() {
   const auto question = questionOfStation();
   QStringList along;
-  for (const workcell::EntityId id : manipulation::movedWith(question)) {
+  for (const workcell::EntityId id : studies::movedWith(question)) {
     const workcell::Entity* entity = context_.host().documentModel().document().find(id);
     if (entity && !entity->attachment.to.empty()) along << QString::fromStdString(entity->name);
   }
+  save_->setEnabled(context_.entity() && !question.station.empty());
   search_->setEnabled(!busy_ && context_.entity() && !question.station.empty());
   if (question.station.empty()) return moves_->setText(tr("Tick at least one part: a bench, a shelf, a fixture."));
   moves_->setText(along.isEmpty()
@@ -198,21 +226,14 @@ std::vector<workcell::EntityId> WorkplacePanel::station() const {
 void WorkplacePanel::search() {
   const workcell::Entity* entity = context_.entity();
   if (busy_ || !entity) return;
-  manipulation::WorkplaceQuestion question = questionOfStation();
-  question.task = scores_.isEmpty() ? ergonomics::WorkTask{} : scores_.task();
-  question.rise_to = rise_->value() / 1000.0;
-  question.rise_from = -question.rise_to;
-  question.away_to = away_->value() / 1000.0;
-  question.away_from = -question.away_to;
-  question.rise_step = question.away_step = step_->value() / 1000.0;
-  question.may_sit = sit_->isChecked();
+  studies::WorkplaceQuestion question = questionOfFields();
   const dvec3 ahead = context_.posture().X_WR.rotate({1.0, 0.0, 0.0});
   asked_.ahead_W = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
   asked_.station = question.station;
   asked_.moved.clear();
-  for (const workcell::EntityId id : manipulation::movedWith(question))
+  for (const workcell::EntityId id : studies::movedWith(question))
     asked_.moved.push_back(context_.host().documentModel().document().find(id)->name);
-  asked_.question = std::make_shared<const manipulation::WorkplaceQuestion>(std::move(question));
+  asked_.question = std::make_shared<const studies::WorkplaceQuestion>(std::move(question));
   run_ = std::make_shared<Run>();
   busy_ = true;
   map_.reset();
@@ -221,11 +242,11 @@ void WorkplacePanel::search() {
   showMap();
   runInThreadPool(
       this,
-      [question = asked_.question, run = run_] {
-        return manipulation::searchWorkplace(
-            *question, [&run](double share) { run->progress = share; }, run->cancel);
+      [question = asked_.question, run = run_, scenes = context_.host().scenes()] {
+        return studies::searchWorkplace(
+            *question, *scenes, [&run](double share) { run->progress = share; }, run->cancel);
       },
-      [this, run = run_](Expected<manipulation::WorkplaceMap> map) {
+      [this, run = run_](Expected<studies::WorkplaceMap> map) {
         if (run != run_) return;
         busy_ = false;
         poll_.stop();
@@ -295,11 +316,12 @@ void WorkplacePanel::take() {
   checkTaken(place);
 }
 
-void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
+void WorkplacePanel::checkTaken(const studies::WorkplaceCell& place) {
   runInThreadPool(
       this,
-      [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities()] {
-        return manipulation::workplacePromises(*question, place, after);
+      [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities(),
+       scenes = context_.host().scenes()] {
+        return studies::workplacePromises(*question, place, after, *scenes);
       },
       [this](const Promises& promises) {
         if (promises.areKept()) return;
@@ -310,12 +332,38 @@ void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
       });
 }
 
+void WorkplacePanel::saveStudy() {
+  const DocumentModel& model = context_.host().documentModel();
+  const std::filesystem::path cell = model.document().path();
+  if (cell.empty() || model.isDirty()) {
+    context_.host().messages().tell(Severity::kInformation, tr("Save the workcell first"),
+                                    tr("A study names the file of its workcell, which must be as it is here."));
+    return result_->setText(tr("Save the workcell first: a study names its file."));
+  }
+  const QFileInfo base(QString::fromStdString(cell.string()));
+  const QString file = askToSave(window(), tr("Save the study"),
+                                 base.absolutePath() + '/' + base.completeBaseName() + QStringLiteral("-workplace.hstudy"),
+                                 tr("Studies (*.hstudy)"));
+  if (file.isEmpty()) return;
+  const std::filesystem::path target = QFileInfo(file).absoluteFilePath().toStdString();
+  const bool beside = target.parent_path() == cell.parent_path();
+  const auto text = studies::workplaceStudy(questionOfFields(), beside ? cell.filename().string() : cell.string());
+  const Expected<void> written = text ? writeFileAtomically(target, *text) : tl::unexpected(text.error());
+  if (!written)
+    return context_.host().messages().reportCause(Severity::kProblem, tr("The study could not be saved"), written.error());
+  // By name: features do not include each other.
+  QMainWindow& window = context_.host().window();
+  if (auto* panel = window.findChild<QWidget*>(QStringLiteral("studyPanel")))
+    QMetaObject::invokeMethod(panel, "openFile", Q_ARG(QString, file));
+  if (auto* dock = window.findChild<QDockWidget*>(QStringLiteral("dockStudy"))) bringToFront(dock);
+}
+
 WorkplaceView::WorkplaceView(QWidget* parent) : QWidget(parent) {
   setObjectName("workplaceMap");
   setAccessibleName(tr("Worst RULA by height and distance"));
 }
 
-void WorkplaceView::setMap(const manipulation::WorkplaceMap* map) {
+void WorkplaceView::setMap(const studies::WorkplaceMap* map) {
   map_ = map;
   chosen_ = map ? map->best : -1;
   update();

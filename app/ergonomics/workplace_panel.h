@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "manipulation/checks/mannequin_workplace.h"
+#include "studies/workplace/workplace_search.h"
 #include "mannequin/ergonomics/report/posture_report.h"
 
 class QCheckBox;
@@ -32,7 +32,7 @@ class WorkplacePanel : public QWidget {
   WorkplacePanel(MannequinContext& context, const LiveScores& scores, QWidget* parent = nullptr);
   ~WorkplacePanel() override;
   bool isBusy() const { return busy_; }
-  const std::optional<manipulation::WorkplaceMap>& map() const { return map_; }
+  const std::optional<studies::WorkplaceMap>& map() const { return map_; }
   /// What was searched and found, for the report: the placement that is chosen in the map. Empty: no search was made.
   std::optional<ergonomics::WorkplaceFinding> finding() const;
 
@@ -44,25 +44,28 @@ class WorkplacePanel : public QWidget {
   void search();
   void showMap();
   void take();
+  void saveStudy();
   /// Measures the cell as it now is against what the search promised for this placement, and says where it falls short.
-  void checkTaken(const manipulation::WorkplaceCell& place);
+  void checkTaken(const studies::WorkplaceCell& place);
   void showMoves();
   /// The cell with the ticked parts.
-  manipulation::WorkplaceQuestion questionOfStation() const;
+  studies::WorkplaceQuestion questionOfStation() const;
+  /// With the task and the ranges of the fields.
+  studies::WorkplaceQuestion questionOfFields() const;
   std::vector<workcell::EntityId> station() const;
   MannequinContext& context_;
   const LiveScores& scores_;
   QListWidget* station_;
   ValueField *rise_, *away_, *step_;
   QCheckBox* sit_;
-  QPushButton *search_, *cancel_, *take_;
+  QPushButton *search_, *cancel_, *take_, *save_;
   QProgressBar* bar_;
   QLabel *result_, *moves_;
   WorkplaceView* view_;
-  std::optional<manipulation::WorkplaceMap> map_;
+  std::optional<studies::WorkplaceMap> map_;
   /// What was searched for: the request whose answer is map_.
   struct Asked {
-    std::shared_ptr<const manipulation::WorkplaceQuestion> question;
+    std::shared_ptr<const studies::WorkplaceQuestion> question;
     dvec3 ahead_W{1.0, 0.0, 0.0};
     std::vector<workcell::EntityId> station;
     std::vector<std::string> moved;  ///< Names of everything that the search moved.
@@ -81,7 +84,7 @@ class WorkplaceView : public QWidget {
   Q_OBJECT
  public:
   explicit WorkplaceView(QWidget* parent = nullptr);
-  void setMap(const manipulation::WorkplaceMap* map);
+  void setMap(const studies::WorkplaceMap* map);
   int chosen() const { return chosen_; }
   QSize sizeHint() const override { return {308, 240}; }
   QSize minimumSizeHint() const override { return {240, 220}; }
@@ -95,7 +98,7 @@ class WorkplaceView : public QWidget {
 
  private:
   QRectF rectOf(std::size_t cell) const;
-  const manipulation::WorkplaceMap* map_ = nullptr;
+  const studies::WorkplaceMap* map_ = nullptr;
   int chosen_ = -1;
 };
 

@@ -12,6 +12,7 @@
 #include "geometry/system/regular_file.h"
 #include "mannequin/shape/figure_model.h"
 #include "studies/document/study_document.h"
+#include "studies/workplace/workplace_text.h"
 
 namespace hapticell::app {
 
@@ -193,33 +194,17 @@ void StudyDraft::addWorkplace(const workcell::Entity& mannequin, const std::vect
   const auto posture = mannequin::toPosture(*mannequin.figure(), {mannequin.X_WE, mannequin.joints()});
   const dvec3 ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
   const dvec3 level = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
-  const std::string asked = freeName("ask", "posture");
+  studies::WorkplaceTables tables;
+  tables.mannequin = mannequin.name;
+  tables.station = station;
+  tables.ahead_W = level;
+  tables.height = {{"from", -0.2}, {"to", 0.2}, {"steps", 11.0}};
+  tables.distance = {{"from", -0.16}, {"to", 0.16}, {"steps", 9.0}};
+  tables.methods = {"rula", "comfort"};
   studies::StudyText text = text_;
-  const auto change = [&]() -> Expected<void> {
-    HAPTICELL_TRY(text.add("vary", {{"what", std::string("position")},
-                                    {"name", freeName("vary", "height")},
-                                    {"entities", station},
-                                    {"axis", std::string("z")},
-                                    {"from", -0.2},
-                                    {"to", 0.2},
-                                    {"steps", 11.0}}));
-    HAPTICELL_TRY(text.add("vary", {{"what", std::string("position")},
-                                    {"name", freeName("vary", "distance")},
-                                    {"entities", station},
-                                    {"direction", std::vector<double>{level.x, level.y, 0.0}},
-                                    {"from", -0.16},
-                                    {"to", 0.16},
-                                    {"steps", 9.0}}));
-    HAPTICELL_TRY(text.add("ask", {{"what", std::string("posture")},
-                                   {"name", asked},
-                                   {"entity", mannequin.name},
-                                   {"bodies", std::vector<std::string>{"female:5", "female:50", "male:50", "male:95"}},
-                                   {"frame", station.front()},
-                                   {"methods", std::vector<std::string>{"rula", "comfort"}}}));
-    HAPTICELL_TRY(text.add("require", {{"value", asked + ".share"}, {"at_least", 1.0}}));
-    return text.add("objective", {{"value", asked + ".rula"}});
-  };
-  const auto done = change();
+  const auto done = studies::addWorkplaceTables(
+      text, tables,
+      {freeName("vary", "stance"), freeName("vary", "height"), freeName("vary", "distance"), freeName("ask", "posture")});
   if (done) text_ = std::move(text);
   take(done);
 }

@@ -45,6 +45,7 @@ std::vector<StudyKind> makeVaryKinds() {
       {"tool", QT_TRANSLATE_NOOP("StudyField", "Tool"), {kRobotField, kWordsField}},
       {"tool_offset", QT_TRANSLATE_NOOP("StudyField", "Tool offset"), {kRobotField, kAxisField, kRangeField}},
       {"body", QT_TRANSLATE_NOOP("StudyField", "Body size"), {kBodyField, kWordsField}},
+      {"stance", QT_TRANSLATE_NOOP("StudyField", "Stance"), {kBodyField, kWordsField}},
       {"motion", QT_TRANSLATE_NOOP("StudyField", "Motion"), {kWordsField}},
   };
 }
@@ -79,7 +80,10 @@ std::vector<StudyKind> makeAskKinds() {
         {"task", QT_TRANSLATE_NOOP("StudyField", "Work task"), StudyEdit::kName},
         {"may_step", QT_TRANSLATE_NOOP("StudyField", "May step"), StudyEdit::kYes},
         {"balance", QT_TRANSLATE_NOOP("StudyField", "Balance"), StudyEdit::kYes, 1.0},
-        {"orientation", QT_TRANSLATE_NOOP("StudyField", "Orientation"), StudyEdit::kYes, 1.0}},
+        {"orientation", QT_TRANSLATE_NOOP("StudyField", "Orientation"), StudyEdit::kYes, 1.0},
+        {"all_pairs", QT_TRANSLATE_NOOP("StudyField", "All pairs"), StudyEdit::kYes},
+        {"each_body", QT_TRANSLATE_NOOP("StudyField", "Each body"), StudyEdit::kYes},
+        {"postures", QT_TRANSLATE_NOOP("StudyField", "Postures"), StudyEdit::kYes}},
        {"share", "steps", "reached", "touching", "short"}},
       {"sight", QT_TRANSLATE_NOOP("StudyField", "Sight"),
        {kBodyField, {"target", QT_TRANSLATE_NOOP("StudyField", "Target"), StudyEdit::kEntity}},

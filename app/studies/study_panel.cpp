@@ -252,7 +252,7 @@ std::string StudyPanel::entityFor(const std::string& what) const {
   const bool places = what == "position" || what == "rotation" || what == "size";
   if (places) return selectedEntity(what != "size");
   if (what == "motion" && selectedEntity(false).empty()) return {};
-  const bool body = what == "body" || what == "posture" || what == "sight";
+  const bool body = what == "body" || what == "stance" || what == "posture" || what == "sight";
   const auto fits = [&](const workcell::Entity& one) { return body ? one.figure() != nullptr : workcell::isMachine(one); };
   const workcell::DocumentState& state = host_.documentModel().document().state();
   const workcell::Entity* selected = state.find(host_.selection().current());

@@ -26,7 +26,7 @@ class StudyPanel : public QWidget {
   StudyPanel(Host& host, StudyDraft& draft, StudyRunner& runner, QWidget* parent = nullptr);
   /// Asks for a file.
   void open();
-  void openFile(const QString& file);
+  Q_INVOKABLE void openFile(const QString& file);
   /// Absolute path of the cell of the study; empty: no study is open.
   QString cell() const { return draft_.cell(); }
   /// A study of the open workcell.

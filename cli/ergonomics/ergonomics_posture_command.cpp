@@ -14,12 +14,13 @@
 #include "cli/ergonomics/ergonomics_posture_input.h"
 #include "cli/kit/command_listener.h"
 #include "cli/kit/kept_result.h"
-#include "manipulation/checks/mannequin_workplace.h"
-#include "manipulation/checks/workplace_check.h"
+#include "manipulation/scene/scene_service.h"
 #include "mannequin/ergonomics/report/posture_report.h"
 #include "mannequin/ergonomics/scores/hand_force.h"
 #include "mannequin/posture/posture_file.h"
 #include "mannequin/shape/figure_model.h"
+#include "studies/workplace/workplace_check.h"
+#include "studies/workplace/workplace_search.h"
 #include "workcell/format/document_io.h"
 
 namespace hapticell::cli {
@@ -192,8 +193,8 @@ ExitStatus runZones(const std::string& method, const PostureOptions& options, co
   return options.fail_over && level.get<double>() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
-Expected<manipulation::WorkplaceQuestion> questionOf(const PostureOptions& options, const Subject& subject) {
-  manipulation::WorkplaceQuestion question;
+Expected<studies::WorkplaceQuestion> questionOf(const PostureOptions& options, const Subject& subject) {
+  studies::WorkplaceQuestion question;
   for (const auto& entity : subject.state->entities) question.entities.push_back(*entity);
   question.mannequin = subject.id;
   for (const std::string& name : options.station) {
@@ -220,11 +221,12 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
   if (!question) return failed(question.error());
   const std::atomic<bool> never{false};
   const CommandListener* const listener = commandListener();
-  const auto map = manipulation::searchWorkplace(*question, {}, listener != nullptr ? listener->stopAsked() : never);
+  manipulation::SceneService scenes;
+  const auto map = studies::searchWorkplace(*question, scenes, {}, listener != nullptr ? listener->stopAsked() : never);
   if (!map) return failed(map.error());
   ordered_json result = workplaceReport(*map);
   result["moves"] = ordered_json::array();
-  for (const workcell::EntityId id : manipulation::movedWith(*question)) {
+  for (const workcell::EntityId id : studies::movedWith(*question)) {
     for (const workcell::Entity& entity : question->entities)
       if (entity.id == id) result["moves"].push_back(entity.name);
   }
@@ -232,7 +234,7 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
     const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
       const auto place = bestPlaceIn(file);
       HAPTICELL_TRY(place);
-      return manipulation::workplacePromises(*question, *place, manipulation::movedCell(*question, *place));
+      return studies::workplacePromises(*question, *place, studies::movedCell(*question, *place), scenes);
     };
     const auto kept = writeKept("", result.dump(), ".json", options.allow_miss, measure, result);
     if (!kept) return failed(kept.error());

@@ -331,9 +331,9 @@ ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::Fig
   return liftingReport(*lift_task, *result);
 }
 
-ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
+ordered_json workplaceReport(const studies::WorkplaceMap& map) {
   ordered_json report{{"bodies", {"P5F", "P50F", "P50M", "P95M"}}};
-  const auto cellJson = [](const manipulation::WorkplaceCell& cell) {
+  const auto cellJson = [](const studies::WorkplaceCell& cell) {
     ordered_json entry{{"rise", cell.rise},
                        {"away", cell.away},
                        {"seated", cell.is_seated},
@@ -344,7 +344,7 @@ ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
   };
   report["best"] = nullptr;
   if (map.best >= 0) {
-    const manipulation::WorkplaceCell& best = map.cells[static_cast<std::size_t>(map.best)];
+    const studies::WorkplaceCell& best = map.cells[static_cast<std::size_t>(map.best)];
     report["best"] = cellJson(best);
     for (const mannequin::Posture& posture : best.postures)
       report["best"]["postures"].push_back(ordered_json::parse(mannequin::postureText(posture)));
@@ -354,13 +354,13 @@ ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
   return report;
 }
 
-Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file) {
+Expected<studies::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file) {
   const auto text = workcell::readFileContent(file);
   HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
   HAPTICELL_TRY(flat);
   const nlohmann::json report = nlohmann::json::parse(*text, nullptr, false);
-  manipulation::WorkplaceCell place;
+  studies::WorkplaceCell place;
   try {
     const nlohmann::json& best = report.at("best");
     place.rise = best.at("rise");

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/system/error.h"
-#include "manipulation/checks/mannequin_workplace.h"
+#include "studies/workplace/workplace_search.h"
 #include "mannequin/ergonomics/report/posture_report.h"
 
 namespace hapticell::cli {
@@ -27,8 +27,8 @@ nlohmann::ordered_json postureScoresReport(const ergonomics::PostureReportInput&
 nlohmann::ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
                                      const ergonomics::PostureScores& scores, const ergonomics::WorkTask& task);
 /// The report of a workplace search. The best placement has its four postures, in the form of posture files.
-nlohmann::ordered_json workplaceReport(const manipulation::WorkplaceMap& map);
+nlohmann::ordered_json workplaceReport(const studies::WorkplaceMap& map);
 /// The best placement in such a report. Error: the report has no placement, or cannot be read.
-Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file);
+Expected<studies::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file);
 
 }  // namespace hapticell::cli

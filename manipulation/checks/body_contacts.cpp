@@ -27,8 +27,8 @@ bool areApart(const geometry::Bounds& a, const geometry::Bounds& b) {
 
 }  // namespace
 
-std::string enteredByBody(const PreparedScene& scene, const workcell::Entity& body,
-                          const mannequin::Posture& posture) {
+std::string enteredByBody(const PreparedScene& scene, const workcell::Entity& body, const mannequin::Posture& posture,
+                          BodyPairs pairs) {
   const auto stands = mannequin::toModel(*body.figure(), posture);
   for (const ScenePart& part : scene.parts()) {
     if (part.entity != body.id || touchesWork(*body.robot(), part.link)) continue;
@@ -39,7 +39,8 @@ std::string enteredByBody(const PreparedScene& scene, const workcell::Entity& bo
       if (owner.id == body.id || !owner.checked || owner.attachment.to == body.name) continue;
       const Pose X_WO = PreparedScene::partPose(owner, owner.X_WE, owner.joints(), other.link);
       if (areApart(bounds_W, geometry::transformed(X_WO, other.mesh.collider->bounds()))) continue;
-      if (!scene.isChecked(part, other)) continue;
+      const bool counts = pairs == BodyPairs::kAll ? !(part.body == other.body) : scene.isChecked(part, other);
+      if (!counts) continue;
       if (collision::distance(part.mesh.collider, X_WP, other.mesh.collider, X_WO, kNear).colliding) return owner.name;
     }
   }

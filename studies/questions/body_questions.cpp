@@ -8,6 +8,7 @@
 #include "manipulation/checks/mannequin_sight.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
 #include "mannequin/ergonomics/scores/posture_scores.h"
+#include "mannequin/posture/posture_file.h"
 #include "mannequin/posture/posture_solver.h"
 #include "mannequin/shape/figure_model.h"
 #include "studies/document/study_section.h"
@@ -55,6 +56,8 @@ struct PostureSettings {
   ergonomics::WorkTask task;
   bool present = false;  ///< The targets are where the active hands are in the given cell; they move with `frame`.
   bool at_grip = true, orientation = true, may_step = false, balance = true;
+  bool all_pairs = false;  ///< Also what the cell's rules leave out counts as entered.
+  bool each_body = false, postures = false;  ///< Further columns for each of `bodies`; with their postures as text.
 };
 
 /// How a body does a task: whether it reaches every step, and the worst score of each method.
@@ -77,70 +80,138 @@ class PostureQuestion : public Question {
                                 {"touched", Column::Kind::kText, ""},
                                 {"short", Column::Kind::kNumber, "m"}};
     for (const Method* method : settings_.methods) columns.push_back({method->name, Column::Kind::kNumber, ""});
+    for (const std::string& source : settings_.each_body ? settings_.bodies : std::vector<std::string>())
+      addColumns(columnEnding(source), columns);
     return columns;
   }
 
   Expected<std::vector<Answer>> answer(VariantCell& cell) const override {
-    Tally tally;
-    tally.worst.resize(settings_.methods.size());
-    if (settings_.bodies.empty()) count(*cell.scene(), cell.document, tally);
+    const bool seated = cell.stances.count(settings_.body) != 0;
+    Tally whole;
+    whole.worst.resize(settings_.methods.size());
+    if (settings_.bodies.empty()) count({*cell.scene(), cell.document, seated}, whole);
+    std::vector<Answer> each;
     for (const std::string& source : settings_.bodies) {
       workcell::Document document = cell.document;
       const workcell::EntityId id = document.findByName(settings_.body)->id;
       HAPTICELL_TRY(replaceBody(document, id, cell.inputs().shapes.at("mannequin:" + source)));
-      count(*cell.sceneOf(document), document, tally);
+      Tally one;
+      one.worst.resize(settings_.methods.size());
+      count({*cell.sceneOf(document), document, seated}, one);
+      if (settings_.each_body) addAnswers(one, each);
+      add(one, whole);
     }
-    std::vector<Answer> answers{tally.steps,
-                                tally.reached,
-                                static_cast<double>(tally.reached) / static_cast<double>(tally.steps),
-                                tally.touching,
-                                Answer(),
-                                tally.short_m};
-    if (!tally.touched.empty()) answers[4] = tally.touched;
-    for (const auto& one : tally.worst) answers.push_back(one ? Answer(*one) : Answer());
+    std::vector<Answer> answers{whole.steps,
+                                whole.reached,
+                                static_cast<double>(whole.reached) / static_cast<double>(whole.steps),
+                                whole.touching,
+                                wordAnswer(whole.touched),
+                                whole.short_m};
+    for (const auto& one : whole.worst) answers.push_back(one ? Answer(*one) : Answer());
+    std::move(each.begin(), each.end(), std::back_inserter(answers));
     return answers;
   }
 
  private:
-  /// What became of all steps of all bodies.
+  /// What became of all steps of one body, or of all.
   struct Tally {
-    std::int64_t steps = 0, reached = 0, touching = 0;
+    std::int64_t steps = 0, solved = 0, reached = 0, touching = 0;
     std::string touched;  ///< The first that is entered.
     double short_m = 0.0;
     std::vector<std::optional<double>> worst;
+    std::string posture;  ///< Of the last step that is solved, as text.
+  };
+  /// A body in the cell of its variant.
+  struct Stands {
+    const manipulation::PreparedScene& scene;
+    const workcell::Document& document;
+    bool seated = false;
   };
 
-  void count(const manipulation::PreparedScene& scene, const workcell::Document& document, Tally& tally) const {
-    const Entity& body = *document.findByName(settings_.body);
+  static Answer wordAnswer(const std::string& word) { return word.empty() ? Answer() : Answer(word); }
+  /// "female:5" as columns are called after it.
+  static std::string columnEnding(std::string source) {
+    std::replace(source.begin(), source.end(), ':', '_');
+    return "_" + source;
+  }
+
+  void addColumns(const std::string& ending, std::vector<Column>& columns) const {
+    columns.push_back({"solved" + ending, Column::Kind::kWhole, ""});
+    columns.push_back({"reached" + ending, Column::Kind::kWhole, ""});
+    columns.push_back({"touched" + ending, Column::Kind::kText, ""});
+    columns.push_back({"short" + ending, Column::Kind::kNumber, "m"});
+    for (const Method* method : settings_.methods)
+      columns.push_back({method->name + ending, Column::Kind::kNumber, ""});
+    if (settings_.postures) columns.push_back({"posture" + ending, Column::Kind::kText, ""});
+  }
+
+  void addAnswers(const Tally& one, std::vector<Answer>& answers) const {
+    answers.insert(answers.end(), {one.solved, one.reached, wordAnswer(one.touched), one.short_m});
+    for (const auto& score : one.worst) answers.push_back(score ? Answer(*score) : Answer());
+    if (settings_.postures) answers.push_back(wordAnswer(one.posture));
+  }
+
+  void add(const Tally& one, Tally& whole) const {
+    whole.steps += one.steps;
+    whole.solved += one.solved;
+    whole.reached += one.reached;
+    whole.touching += one.touching;
+    if (whole.touched.empty()) whole.touched = one.touched;
+    whole.short_m = std::max(whole.short_m, one.short_m);
+    for (std::size_t i = 0; i < one.worst.size(); ++i) {
+      if (one.worst[i]) takeWorse(i, *one.worst[i], whole);
+    }
+  }
+
+  void takeWorse(std::size_t method, double value, Tally& tally) const {
+    std::optional<double>& worst = tally.worst[method];
+    if (!worst) worst = value;
+    worst = settings_.methods[method]->is_least ? std::min(*worst, value) : std::max(*worst, value);
+  }
+
+  void count(const Stands& stands, Tally& tally) const {
+    const Entity& body = *stands.document.findByName(settings_.body);
     const mannequin::Figure& figure = *body.figure();
-    const mannequin::Posture start = mannequin::toPosture(figure, {body.X_WE, body.joints()});
-    const Pose X_WF = settings_.frame.empty() ? Pose() : document.findByName(settings_.frame)->X_WE;
-    if (settings_.present) return countPresent(scene, body, X_WF, tally);
+    const mannequin::Posture given = mannequin::toPosture(figure, {body.X_WE, body.joints()});
+    const Pose X_WF = settings_.frame.empty() ? Pose() : stands.document.findByName(settings_.frame)->X_WE;
+    if (settings_.present) return countPresent(stands, body, X_WF, tally);
+    const mannequin::Posture start = stands.seated ? ergonomics::seatedAt(given, figure) : given;
     for (const HandTargets& step : settings_.targets)
-      countStep(scene, body, taskOf(figure, X_WF, step), start, tally);
+      countStep(stands, body, taskOf(figure, X_WF, step), start, tally);
   }
 
   /// The work that the mannequin of the given cell does there, done by this body where `frame` stands now.
-  void countPresent(const manipulation::PreparedScene& scene, const Entity& body, const Pose& X_WF, Tally& tally) const {
+  void countPresent(const Stands& stands, const Entity& body, const Pose& X_WF, Tally& tally) const {
     const mannequin::Figure& figure = *body.figure();
     mannequin::PostureTask task =
         ergonomics::taskAt(*shown_.figure, shown_.posture, figure, X_WF.p - shown_.X_WF.p);
     task.may_step = settings_.may_step;
-    task.balance = settings_.balance;
-    countStep(scene, body, task, ergonomics::standingAt(*shown_.figure, shown_.posture, figure), tally);
+    task.balance = task.balance && settings_.balance;  // Who sits does not balance.
+    countStep(stands, body, task,
+              stands.seated ? ergonomics::seatedAt(shown_.posture, figure)
+                            : ergonomics::standingAt(*shown_.figure, shown_.posture, figure),
+              tally);
   }
 
-  void countStep(const manipulation::PreparedScene& scene, const Entity& body, const mannequin::PostureTask& task,
+  void countStep(const Stands& stands, const Entity& body, mannequin::PostureTask task,
                  const mannequin::Posture& start, Tally& tally) const {
+    if (stands.seated) {
+      task.pelvis_locked = true;
+      task.balance = false;
+    }
     const auto found = mannequin::PostureSolver(*body.figure()).solve(task, start);
     const bool solved = found.status == mannequin::PostureStatus::kSolved;
     for (const double error : found.hand_position_error) tally.short_m = std::max(tally.short_m, error);
-    const std::string entered = manipulation::enteredByBody(scene, body, found.posture);
+    const auto pairs = settings_.all_pairs ? manipulation::BodyPairs::kAll : manipulation::BodyPairs::kChecked;
+    const std::string entered = manipulation::enteredByBody(stands.scene, body, found.posture, pairs);
     if (tally.touched.empty()) tally.touched = entered;
     ++tally.steps;
     tally.touching += entered.empty() ? 0 : 1;
+    tally.solved += solved ? 1 : 0;
     tally.reached += solved && entered.empty() ? 1 : 0;
-    if (solved) score(body, found.posture, tally.worst);
+    if (!solved) return;
+    score(body, found.posture, tally);
+    if (settings_.postures) tally.posture = mannequin::postureText(found.posture);
   }
 
   mannequin::PostureTask taskOf(const mannequin::Figure& figure, const Pose& X_WF, const HandTargets& step) const {
@@ -158,15 +229,12 @@ class PostureQuestion : public Question {
     return task;
   }
 
-  void score(const Entity& body, const mannequin::Posture& posture, std::vector<std::optional<double>>& worst) const {
+  void score(const Entity& body, const mannequin::Posture& posture, Tally& tally) const {
     const auto pose = mannequin::forwardKinematics(*body.figure(), posture);
     const PostureScores scores = ergonomics::scorePosture(*body.figure(), posture, pose, settings_.task);
-    for (std::size_t i = 0; i < worst.size(); ++i) {
-      const Method& method = *settings_.methods[i];
-      const auto value = method.score(body, pose, scores, settings_.task);
-      if (!value) continue;
-      if (!worst[i]) worst[i] = value;
-      worst[i] = method.is_least ? std::min(*worst[i], *value) : std::max(*worst[i], *value);
+    for (std::size_t i = 0; i < settings_.methods.size(); ++i) {
+      const auto value = settings_.methods[i]->score(body, pose, scores, settings_.task);
+      if (value) takeWorse(i, *value, tally);
     }
   }
 
@@ -270,7 +338,14 @@ MadeQuestion makePosture(const StudySection& section, StudyInputs& inputs) {
   reader.fields().read("orientation", settings.orientation);
   reader.fields().read("may_step", settings.may_step);
   reader.fields().read("balance", settings.balance);
+  reader.fields().read("all_pairs", settings.all_pairs);
+  reader.fields().read("each_body", settings.each_body);
+  reader.fields().read("postures", settings.postures);
   reader.fields().readList("bodies", settings.bodies);
+  if (settings.each_body && settings.bodies.empty())
+    reader.fields().failKey("each_body", Text("columns of each body without bodies"), Text("bodies = [...]"));
+  if (settings.postures && !settings.each_body)
+    reader.fields().failKey("postures", Text("postures without each_body"), Text("each_body = true"));
   auto methods = readMethods(reader);
   HAPTICELL_TRY(methods);
   HAPTICELL_TRY(reader.end());

@@ -49,7 +49,9 @@ Expected<std::unique_ptr<const Study>> Study::load(const fs::path& file, std::st
   auto document = StudyDocument::read(file);
   HAPTICELL_TRY(document);
   study->inputs_.document = std::move(*document);
-  HAPTICELL_TRY(study->prepare(std::move(version)));
+  HAPTICELL_TRY(study->readCell());
+  manipulation::SceneService scenes;
+  HAPTICELL_TRY(study->prepare(std::move(version), scenes));
   return study;
 }
 
@@ -58,24 +60,43 @@ Expected<std::unique_ptr<const Study>> Study::load(std::string text, const fs::p
   auto document = StudyDocument::parse(std::move(text), file);
   HAPTICELL_TRY(document);
   study->inputs_.document = std::move(*document);
-  HAPTICELL_TRY(study->prepare(std::move(version)));
+  HAPTICELL_TRY(study->readCell());
+  manipulation::SceneService scenes;
+  HAPTICELL_TRY(study->prepare(std::move(version), scenes));
   return study;
 }
 
-Expected<void> Study::prepare(std::string version) {
+Expected<std::unique_ptr<const Study>> Study::load(std::string text, const fs::path& file, CellInMemory cell,
+                                                   std::string version) {
+  std::unique_ptr<Study> study(new Study());
+  auto document = StudyDocument::parse(std::move(text), file);
+  HAPTICELL_TRY(document);
+  study->inputs_.document = std::move(*document);
+  study->cell_text_ = workcell::documentText(cell.document.state(), study->inputs_.document.cell.parent_path());
+  study->inputs_.cell = std::move(cell.document);
+  manipulation::SceneService own;
+  HAPTICELL_TRY(study->prepare(std::move(version), cell.scenes != nullptr ? *cell.scenes : own));
+  return study;
+}
+
+Expected<void> Study::readCell() {
   Diagnostics diagnostics;
   auto cell = workcell::loadDocument(inputs_.document.cell, diagnostics);
   HAPTICELL_TRY(cell);
   inputs_.cell = std::move(*cell);
   inputs_.notes = std::move(diagnostics.warnings);
   inputs_.files.push_back(inputs_.document.cell);
+  return {};
+}
+
+Expected<void> Study::prepare(std::string version, manipulation::SceneService& scenes) {
   HAPTICELL_TRY(makeParts());
   auto space = VariantSpace::create(inputs_.document, variations_);
   HAPTICELL_TRY(space);
   space_ = std::move(*space);
   HAPTICELL_TRY(makeHead(std::move(version)));
   HAPTICELL_TRY(checkNames());
-  return prepareScene();
+  return prepareScene(scenes);
 }
 
 Expected<void> Study::makeParts() {
@@ -93,7 +114,7 @@ Expected<void> Study::makeParts() {
 }
 
 /// All meshes of the cell and of what may stand in it; then what touches in the given cell is left out from all checks.
-Expected<void> Study::prepareScene() {
+Expected<void> Study::prepareScene(manipulation::SceneService& scenes) {
   const workcell::PairDefaults defaults = manipulation::pairDefaults(inputs_.configuration);
   manipulation::SceneSource source = manipulation::sourceOf(inputs_.cell, defaults);
   const std::size_t own = source.entities.size();
@@ -108,9 +129,10 @@ Expected<void> Study::prepareScene() {
     source.entities.push_back(std::move(entity));
   }
   source.revision = 0;
-  manipulation::SceneService service;
-  inputs_.scene = service.prepare(std::move(source));
-  const auto given = service.prepare(manipulation::sourceOf(inputs_.cell, defaults));
+  inputs_.scene = scenes.prepare(std::move(source));
+  manipulation::SceneSource as_given = manipulation::sourceOf(inputs_.cell, defaults);
+  as_given.revision = 0;  // Of this study's own document: the service may know another one of that number.
+  const auto given = scenes.prepare(std::move(as_given));
   if (own == 0 || !inputs_.scene || !given)
     return makeError({.file = inputs_.document.cell.string(), .found = "an empty cell", .expected = "a cell with parts"});
   auto rules = manipulation::touchingAtRest(*given);
@@ -145,6 +167,7 @@ Expected<void> Study::makeHead(std::string version) {
   }
   // By content, not by place: the same files on another machine are the same study.
   std::string contents = workcell::contentName(document.text);
+  if (!cell_text_.empty()) contents += workcell::contentName(cell_text_);
   for (const auto& entity : inputs_.cell.state().entities) {
     const std::string& source = entity->source.path;
     if (!source.empty() && !workcell::isBuiltIn(source)) inputs_.files.emplace_back(source);

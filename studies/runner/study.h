@@ -12,6 +12,10 @@
 #include "studies/store/result_row.h"
 #include "studies/variants/variant_space.h"
 
+namespace hapticell::manipulation {
+class SceneService;
+}
+
 namespace hapticell::studies {
 
 /// A study with everything that it needs, read, checked and ready to run. Immutable after load(); any thread.
@@ -23,6 +27,14 @@ class Study {
   /// The same from the text of a document that stood in `file`.
   static Expected<std::unique_ptr<const Study>> load(std::string text, const std::filesystem::path& file,
                                                      std::string version);
+  /// A cell that stands in memory, such as one with unsaved changes.
+  struct CellInMemory {
+    workcell::Document document;
+    manipulation::SceneService* scenes = nullptr;  ///< Who prepares its meshes; null: only for this study.
+  };
+  /// The same for a cell in memory: it stands for the one that the text names, which is not read.
+  static Expected<std::unique_ptr<const Study>> load(std::string text, const std::filesystem::path& file,
+                                                     CellInMemory cell, std::string version);
 
   const StudyDocument& document() const { return inputs_.document; }
   /// The cell that it names, with what touches in it left out from checks.
@@ -41,9 +53,10 @@ class Study {
 
  private:
   Study() = default;
-  Expected<void> prepare(std::string version);
+  Expected<void> readCell();
+  Expected<void> prepare(std::string version, manipulation::SceneService& scenes);
   Expected<void> makeParts();
-  Expected<void> prepareScene();
+  Expected<void> prepareScene(manipulation::SceneService& scenes);
   Expected<void> makeHead(std::string version);
   Expected<void> checkNames() const;
   Expected<void> change(const std::vector<Value>& values, VariantCell& cell) const;
@@ -52,6 +65,7 @@ class Study {
   std::vector<ResultRow> search(std::size_t unit, const std::atomic<bool>& cancelled) const;
 
   StudyInputs inputs_;
+  std::string cell_text_;  ///< Of a cell in memory, for the digest.
   std::vector<std::unique_ptr<Variation>> variations_;
   std::vector<std::unique_ptr<Question>> questions_;
   VariantSpace space_;

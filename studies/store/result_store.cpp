@@ -71,6 +71,14 @@ Expected<ResultStore> ResultStore::create(const fs::path& file, const ResultHead
   return store;
 }
 
+Expected<ResultStore> ResultStore::inMemory(const ResultHead& head) {
+  auto base = SqliteBase::inMemory();
+  HAPTICELL_TRY(base);
+  ResultStore store(std::move(*base), head);
+  HAPTICELL_TRY(store.base_.atOnce([&] { return store.writeHead(); }));
+  return store;
+}
+
 Expected<ResultStore> ResultStore::open(const fs::path& file, bool for_writing) {
   auto base = SqliteBase::open(file, for_writing ? SqliteBase::Mode::kWrite : SqliteBase::Mode::kRead);
   HAPTICELL_TRY(base);

@@ -19,6 +19,8 @@ class ResultStore {
  public:
   /// Makes the file. Error: it exists.
   static Expected<ResultStore> create(const std::filesystem::path& file, const ResultHead& head);
+  /// Results in no file, for who only wants the rows: gone with this object.
+  static Expected<ResultStore> inMemory(const ResultHead& head);
   /// Opens a file that create() made, to add rows or only to read. Errors also: a newer format.
   static Expected<ResultStore> open(const std::filesystem::path& file, bool for_writing);
   /// Opens it to continue, or makes it. Errors: it is of another study, of changed files, or of another version of the

@@ -83,11 +83,19 @@ Expected<SqliteBase> SqliteBase::open(const fs::path& file, Mode mode) {
   if (mode == Mode::kRead) flags |= SQLITE_OPEN_READONLY;
   if (mode != Mode::kRead) flags |= SQLITE_OPEN_READWRITE;
   if (mode == Mode::kCreate) flags |= SQLITE_OPEN_CREATE;
+  return openAs(file.c_str(), file, flags);
+}
+
+Expected<SqliteBase> SqliteBase::inMemory() {
+  return openAs(":memory:", "memory", SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+}
+
+Expected<SqliteBase> SqliteBase::openAs(const char* name, const fs::path& shown, int flags) {
   sqlite3* raw = nullptr;
-  const int opened = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
+  const int opened = sqlite3_open_v2(name, &raw, flags, nullptr);
   SqliteBase base;
   base.base_.reset(raw);
-  base.file_ = file;
+  base.file_ = shown;
   if (opened != SQLITE_OK) return makeError(base.failure());
   sqlite3_extended_result_codes(raw, 0);
   sqlite3_busy_timeout(raw, kPatience);

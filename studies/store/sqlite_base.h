@@ -43,6 +43,9 @@ class SqliteBase {
   /// kCreate makes the file if it does not exist. Errors: no such file, no SQLite file, no rights.
   static Expected<SqliteBase> open(const std::filesystem::path& file, Mode mode);
 
+  /// A base in memory that no file has: gone with this object. Errors name "memory".
+  static Expected<SqliteBase> inMemory();
+
   Expected<void> run(const std::string& sql);
   Expected<Statement> prepare(const std::string& sql) const;
   /// Runs a statement that gives rows, once for each of them; an error of `each` ends it.
@@ -58,6 +61,8 @@ class SqliteBase {
   struct Close {
     void operator()(sqlite3* base) const;
   };
+  static Expected<SqliteBase> openAs(const char* name, const std::filesystem::path& shown, int flags);
+
   std::unique_ptr<sqlite3, Close> base_;
   std::filesystem::path file_;
 };

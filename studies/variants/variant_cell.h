@@ -19,6 +19,9 @@ class VariantCell {
   workcell::Document document;
   std::map<std::string, std::shared_ptr<const trajectory::Trajectory>> motions;  ///< By the name of what varies.
 
+  /// How mannequins do their work, by name, where it is not as in the given cell: "seated".
+  std::map<std::string, std::string> stances;
+
   const StudyInputs& inputs() const { return inputs_; }
   /// The scene of the present document, prepared when it is first asked for; the document must not change after that.
   const std::shared_ptr<const manipulation::PreparedScene>& scene();

@@ -12,7 +12,8 @@ std::span<const VariationKind> variationKinds() {
   static constexpr VariationKind kKinds[] = {
       {"position", makePosition},    {"rotation", makeRotation},   {"size", makePartSize},
       {"robot", makeRobotChoice},    {"joint", makeJointPosition}, {"tool", makeToolChoice},
-      {"tool_offset", makeToolOffset}, {"body", makeBodyChoice},     {"motion", makeMotionChoice},
+      {"tool_offset", makeToolOffset}, {"body", makeBodyChoice},     {"stance", makeStanceChoice},
+      {"motion", makeMotionChoice},
   };
   return kKinds;
 }

@@ -12,6 +12,7 @@ MadeVariation makePosition(const StudySection& section, StudyInputs& inputs);
 MadeVariation makeRotation(const StudySection& section, StudyInputs& inputs);
 MadeVariation makeRobotChoice(const StudySection& section, StudyInputs& inputs);
 MadeVariation makeBodyChoice(const StudySection& section, StudyInputs& inputs);
+MadeVariation makeStanceChoice(const StudySection& section, StudyInputs& inputs);
 MadeVariation makePartSize(const StudySection& section, StudyInputs& inputs);
 MadeVariation makeJointPosition(const StudySection& section, StudyInputs& inputs);
 MadeVariation makeToolChoice(const StudySection& section, StudyInputs& inputs);

@@ -96,6 +96,16 @@ Posture standingAt(const Figure& from, const Posture& posture, const Figure& fig
   return result;
 }
 
+Posture seatedAt(const Posture& posture, const Figure& figure) {
+  const dvec3 ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
+  Posture seated = *mannequin::libraryPosture(figure, "seated");
+  const dquat heading = quaternionFromRotationVector({0.0, 0.0, std::atan2(ahead.y, ahead.x)});
+  seated.X_WR.q = glm::normalize(heading * seated.X_WR.q);
+  seated.X_WR.p.x = posture.X_WR.p.x;
+  seated.X_WR.p.y = posture.X_WR.p.y;
+  return seated;
+}
+
 mannequin::PostureTask taskAt(const Figure& from, const Posture& posture, const Figure& figure, const dvec3& shift_W) {
   const FigurePose pose = mannequin::forwardKinematics(from, posture);
   const auto active = activeHands(pose, posture);

@@ -45,4 +45,8 @@ mannequin::PostureTask taskAt(const mannequin::Figure& from, const mannequin::Po
 mannequin::Posture standingAt(const mannequin::Figure& from, const mannequin::Posture& posture,
                               const mannequin::Figure& figure);
 
+/// The posture "seated" of the library for another body, its pelvis above the same place of the floor and facing as in
+/// `posture`; the seat has the height that the library gives this body.
+mannequin::Posture seatedAt(const mannequin::Posture& posture, const mannequin::Figure& figure);
+
 }  // namespace hapticell::ergonomics

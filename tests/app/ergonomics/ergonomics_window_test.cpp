@@ -385,5 +385,24 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   }
 }
 
+TEST(WorkplaceDock, SavesTheSearchAsAStudyAndOpensIt) {
+  ErgonomicsPage page;
+  workcell::Entity table;
+  table.name = "Bench";
+  table.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 0.4, 0.04}))};
+  table.X_WE.p = {0.0, 1.2, 0.7};
+  page.add(table);
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionWorkplace");
+  auto* save = page.find<QPushButton>("buttonSaveWorkplaceStudy");
+  EXPECT_FALSE(save->isEnabled()) << "nothing is ticked";
+  page.find<QListWidget>("listStation")->item(0)->setCheckState(Qt::Checked);
+  EXPECT_TRUE(save->isEnabled());
+  page.click("buttonSaveWorkplaceStudy");
+  EXPECT_TRUE(page.words("labelSearch").contains("Save the workcell first")) << page.words("labelSearch").toStdString();
+  page.find<QListWidget>("listStation")->item(0)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(save->isEnabled());
+}
+
 }  // namespace
 }  // namespace hapticell::app

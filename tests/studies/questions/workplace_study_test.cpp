@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for a workplace as a study, against the search of manipulation/checks, which shares no code with it but the
-// solver and the scores.
+// A station that is moved along a direction. The search for a workplace: workplace/workplace_search_test.cpp.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "manipulation/checks/mannequin_workplace.h"
 #include "mannequin/shape/figure_model.h"
 #include "studies/runner/study.h"
 #include "workcell/format/document_io.h"
@@ -61,41 +59,6 @@ class WorkplaceStudy : public testing::Test {
   fs::path folder_;
   std::vector<workcell::Entity> cell_;
 };
-
-TEST_F(WorkplaceStudy, ScoresAPlaceAsTheSearchDoes) {
-  const auto made = study(kVary, kAsk);
-  ASSERT_TRUE(made) << made.error().message();
-  manipulation::WorkplaceQuestion question;
-  question.entities = cell_;
-  for (const workcell::Entity& entity : cell_) {
-    if (entity.figure()) question.mannequin = entity.id;
-    if (!entity.figure()) question.station = {entity.id};
-  }
-  const std::atomic<bool> go_on{false};
-  int reached = 0;
-  for (const std::size_t number : {std::size_t{0}, std::size_t{4}}) {  // Low and near; as given.
-    const auto values = (*made)->space().values(number);
-    question.rise_from = question.rise_to = std::get<double>(values[0]);
-    question.away_from = question.away_to = std::get<double>(values[1]);
-    question.rise_step = question.away_step = 1.0;
-    const auto map = manipulation::searchWorkplace(question, {}, go_on);
-    ASSERT_TRUE(map) << map.error().message();
-    ASSERT_EQ(map->cells.size(), 1U);
-    const ResultRow row = (*made)->evaluate(static_cast<std::int64_t>(number), values);
-    const auto answer = [&](const char* name) {
-      for (std::size_t i = 0; i < row.answers.size(); ++i)
-        if ((*made)->head().answers[i].name == name) return row.answers[i];
-      return Answer();
-    };
-    const bool all = std::get<double>(answer("posture.share")) == 1.0;
-    EXPECT_EQ(all, map->cells[0].worst > 0) << number << " " << map->cells[0].why << " " << row.note;
-    if (all) {
-      EXPECT_EQ(std::get<double>(answer("posture.rula")), map->cells[0].worst) << number;
-    }
-    reached += all ? 1 : 0;
-  }
-  EXPECT_GT(reached, 0) << "a comparison of nothing";
-}
 
 TEST_F(WorkplaceStudy, MovesAlongTheDirection) {
   const auto made = study(kVary, kAsk);

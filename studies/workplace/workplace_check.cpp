@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "manipulation/checks/workplace_check.h"
+#include "studies/workplace/workplace_check.h"
 
 #include <algorithm>
 
 #include "collision/queries/proximity_query.h"
-#include "manipulation/scene/prepared_scene.h"
+#include "manipulation/scene/scene_service.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/shape/body_shape.h"
 #include "mannequin/shape/figure_model.h"
 
-namespace hapticell::manipulation {
+namespace hapticell::studies {
 namespace {
 
+using manipulation::PreparedScene;
+using manipulation::ScenePart;
 using mannequin::Side;
 using workcell::Entity;
 
@@ -58,9 +60,8 @@ bool mayTouch(const kinematics::RobotModel& model, int link) {
 }
 
 /// The cell without the one who showed the task, and with the body in its posture: what it enters; empty: nothing.
-/// `scene` has the meshes that were prepared for the body before.
 std::string enteredBy(const std::vector<Entity>& after, const Entity& shown, const mannequin::Figure& figure,
-                      const mannequin::Posture& posture, std::shared_ptr<const PreparedScene>& scene) {
+                      const mannequin::Posture& posture, manipulation::SceneService& scenes) {
   std::vector<Entity> entities;
   for (const Entity& entity : after) {
     if (entity.id != shown.id && entity.attachment.to != shown.name && entity.visible && entity.checked)
@@ -73,7 +74,7 @@ std::string enteredBy(const std::vector<Entity>& after, const Entity& shown, con
   body.body = workcell::Mannequin{{.model = mannequin::figureModel(figure), .joints = stands.joints},
                                   std::make_shared<const mannequin::Figure>(figure)};
   entities.push_back(std::move(body));
-  scene = PreparedScene::prepare(std::move(entities), {}, {}, scene.get());
+  const auto scene = scenes.prepare({std::move(entities), {}, {}, 0});
   const auto placed = [&](const ScenePart& part) {
     const Entity& owner = *scene->find(part.entity);
     return PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link);
@@ -104,7 +105,7 @@ std::vector<Entity> movedCell(const WorkplaceQuestion& question, const Workplace
 }
 
 Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCell& place,
-                           const std::vector<Entity>& after) {
+                           const std::vector<Entity>& after, manipulation::SceneService& scenes) {
   Promises promises;
   promises.help = "The cell has changed: search again.";
   const Entity* shown = entityOf(question.entities, question.mannequin);
@@ -114,7 +115,6 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
     return promises;
   }
   const dvec3 shift = shiftOf(*shown, place);
-  std::shared_ptr<const PreparedScene> scene;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const mannequin::Figure& figure = bodies[i].figure;
     const mannequin::Posture& posture = place.postures[i];
@@ -122,7 +122,7 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
     const auto pose = mannequin::forwardKinematics(figure, posture);
     const int rula = ergonomics::scorePosture(figure, posture, pose, question.task).rula();
     const auto beyond = mannequin::limitViolations(posture);
-    const std::string entered = enteredBy(after, *shown, figure, posture, scene);
+    const std::string entered = enteredBy(after, *shown, figure, posture, scenes);
     promises.list.push_back(
         {"rula_" + name, static_cast<double>(place.rula[i]), static_cast<double>(rula), "points", name});
     promises.list.push_back({"hands_" + name, kGripTolerance, gripError(*shown, figure, posture, shift), "m", name});
@@ -134,4 +134,4 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
   return promises;
 }
 
-}  // namespace hapticell::manipulation
+}  // namespace hapticell::studies
