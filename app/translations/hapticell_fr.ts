@@ -2807,6 +2807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étude nomme le fichier de sa cellule, et celle-ci n'en a pas encore.</translation>
     </message>
     <message>
+        <source>A study names the file of its workcell, which must be as it is here.</source>
+        <translation>Une étude nomme le fichier de sa cellule, qui doit être telle qu'ici.</translation>
+    </message>
+    <message>
         <source>A trajectory is not saved</source>
         <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
@@ -3017,6 +3021,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>All of the library</source>
         <translation>Toute la bibliothèque</translation>
+    </message>
+    <message>
+        <source>All pairs</source>
+        <translation>Toutes les paires</translation>
     </message>
     <message>
         <source>All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
@@ -4601,6 +4609,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>ENDFOR without FOR</source>
         <translation>ENDFOR sans FOR</translation>
+    </message>
+    <message>
+        <source>Each body</source>
+        <translation>Chaque corps</translation>
     </message>
     <message>
         <source>Each frame is one line. The file is incomplete or was edited: export it again.</source>
@@ -8355,6 +8367,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Posture de %1 à l'image %2</translation>
     </message>
     <message>
+        <source>Postures</source>
+        <translation>Postures</translation>
+    </message>
+    <message>
         <source>Postures (*.json);;All files (*)</source>
         <translation>Postures (*.json);;Tous les fichiers (*)</translation>
     </message>
@@ -9135,6 +9151,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer en BVH…</translation>
     </message>
     <message>
+        <source>Save as study…</source>
+        <translation>Enregistrer comme étude…</translation>
+    </message>
+    <message>
         <source>Save as…</source>
         <translation>Enregistrer sous…</translation>
     </message>
@@ -9817,6 +9837,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Squatting</source>
         <translation>Accroupi</translation>
+    </message>
+    <message>
+        <source>Stance</source>
+        <translation>Station</translation>
     </message>
     <message>
         <source>Standing</source>
@@ -11781,6 +11805,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Write the report…</source>
         <translation>Écrire le rapport…</translation>
+    </message>
+    <message>
+        <source>Write the search as a study, and open it in the study panel</source>
+        <translation>Écrire la recherche comme étude et l'ouvrir dans le panneau des études</translation>
     </message>
     <message>
         <source>Write the values of the frames into the program, or split the program by frame.</source>
@@ -14587,6 +14615,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>rayon de raccordement</translation>
     </message>
     <message>
+        <source>bodies = [...]</source>
+        <translation>bodies = [...]</translation>
+    </message>
+    <message>
         <source>bodies such as &quot;female:5&quot; or &quot;male:1750mm&quot;</source>
         <translation>des corps tels que &quot;female:5&quot; ou &quot;male:1750mm&quot;</translation>
     </message>
@@ -14737,6 +14769,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>collecting</source>
         <translation>collecte des pièces</translation>
+    </message>
+    <message>
+        <source>columns of each body without bodies</source>
+        <translation>des colonnes de chaque corps sans corps</translation>
     </message>
     <message>
         <source>columns x, y, z</source>
@@ -14953,6 +14989,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>each wrist has one marker; neither pronation nor supination of the forearms is assumed</source>
         <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>each_body = true</source>
+        <translation>each_body = true</translation>
     </message>
     <message>
         <source>either targets = &quot;poses.csv&quot; or frames = [...]</source>
@@ -17527,6 +17567,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des valeurs positives</translation>
     </message>
     <message>
+        <source>postures without each_body</source>
+        <translation>postures sans each_body</translation>
+    </message>
+    <message>
         <source>practice, retention or transfer</source>
         <translation>practice, retention ou transfer</translation>
     </message>
@@ -19281,6 +19325,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the server stopped sending the state of the stylus</source>
         <translation>l'état du stylet n'arrive plus</translation>
+    </message>
+    <message>
+        <source>the stance '%1'</source>
+        <translation>la station « %1 »</translation>
     </message>
     <message>
         <source>the start is not free: %1</source>
