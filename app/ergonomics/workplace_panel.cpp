@@ -193,6 +193,9 @@ void WorkplacePanel::showMoves() {
   }
   save_->setEnabled(context_.entity() && !question.station.empty());
   search_->setEnabled(!busy_ && context_.entity() && !question.station.empty());
+  if (!context_.entity()) {
+    return moves_->setText(tr("There is no mannequin in the cell. Add one, and give its hands what they reach for."));
+  }
   if (question.station.empty()) return moves_->setText(tr("Tick at least one part: a bench, a shelf, a fixture."));
   moves_->setText(along.isEmpty()
                       ? tr("The ticked parts move; everything else stays.")

@@ -385,7 +385,7 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   }
 }
 
-TEST(WorkplaceDock, SavesTheSearchAsAStudyAndOpensIt) {
+TEST(WorkplaceDock, IsSavedAsAStudyOnlyWithAStationAndASavedCell) {
   ErgonomicsPage page;
   workcell::Entity table;
   table.name = "Bench";

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QListWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 
@@ -13,6 +14,33 @@
 
 namespace hapticell::app {
 namespace {
+
+TEST(StudiesDock, TheWorkplaceSearchIsSavedAsAStudyAndOpened) {
+  StudiesPage page;
+  ASSERT_TRUE(page.openCell());
+  page.trigger("actionWorkplace");
+  const auto save = [&] { return page.find<QAbstractButton>("buttonSaveWorkplaceStudy"); };
+  page.find<QListWidget>("listStation")->item(0)->setCheckState(Qt::Checked);
+  EXPECT_FALSE(save()->isEnabled());
+  EXPECT_TRUE(page.words("labelMoves").contains("no mannequin")) << page.words("labelMoves").toStdString();
+  const auto bench = config::findShippedFile("workcells/workbench.hcell");
+  ASSERT_TRUE(bench.has_value());
+  ASSERT_TRUE(page.open(QString::fromStdString(bench->string())));
+  page.trigger("actionWorkplace");
+  auto* stations = page.find<QListWidget>("listStation");
+  ASSERT_GT(stations->count(), 0);
+  stations->item(0)->setCheckState(Qt::Checked);
+  ASSERT_TRUE(save()->isEnabled());
+  page.answerFile(page.file("workplace.hstudy"));
+  page.click("buttonSaveWorkplaceStudy");
+  ASSERT_TRUE(page.until([&] { return QFile::exists(page.file("workplace.hstudy")); }, 10000));
+  EXPECT_TRUE(page.find<QDockWidget>("dockStudy")->isVisible());
+  EXPECT_EQ(page.words("labelStudyFault"), "") << "it can be run as it is";
+  EXPECT_TRUE(page.find<QAbstractButton>("buttonRunStudy")->isEnabled());
+  const std::string text = StudiesPage::contentOf(page.file("workplace.hstudy"));
+  EXPECT_NE(text.find("workbench.hcell\""), std::string::npos) << text;
+  EXPECT_NE(text.find(stations->item(0)->text().toStdString()), std::string::npos) << text;
+}
 
 TEST(StudiesDock, AStudyIsSetUpByPointingAndRuns) {
   StudiesPage page;
