@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "bridge/ros2/contact_markers.h"
 #include "bridge/ros2/ros_conversion.h"
 #include "exchange/recordings/recording_reader.h"
 #include "geometry/system/regular_file.h"
@@ -144,6 +145,12 @@ class CellPublisher {
     return openTopic(force_, "/stylus/wrench", geometry_msgs_msg_dds__WrenchStamped__desc, RosQuality::kDefault);
   }
 
+  /// From now on the contacts of the motion are published too.
+  Expected<void> openContacts(std::unique_ptr<ContactMarkers> markers) {
+    markers_ = std::move(markers);
+    return openTopic(contacts_, "/contact_markers", visualization_msgs_msg_dds__MarkerArray__desc, RosQuality::kDefault);
+  }
+
   /// Description, static frames and planning scene, for all who come.
   Expected<void> publishLatched(std::string description) {
     std_msgs_msg_dds__String_ text{description.data()};
@@ -177,6 +184,8 @@ class CellPublisher {
     if (base_moves_) transforms.push_back(rosTransform(stamp, kWorldName, root, at.X_WE));
     const auto message = messageOf(transforms);
     HAPTICELL_TRY(put(moving_frames_, &message));
+    if (markers_)
+      if (const auto* const changed = markers_->update(stamp, motion_time)) HAPTICELL_TRY(put(contacts_, changed));
     return replay_ ? publishMoved(stamp, motion_time, at) : Expected<void>();
   }
 
@@ -190,10 +199,16 @@ class CellPublisher {
     return put(force_, &wrench);
   }
 
+  /// At the end, `t` seconds after the beginning: contacts are no longer shown.
+  Expected<void> publishEnd(double t) {
+    const auto* const changed = markers_ ? markers_->clear(stampOf(t)) : nullptr;
+    return changed ? put(contacts_, changed) : Expected<void>();
+  }
+
   ordered_json result() const {
     ordered_json published, readers;
     for (const Topic* topic : {&description_, &joints_, &moving_frames_, &static_frames_, &scene_, &moved_, &wrench_,
-                               &clock_, &stylus_, &force_}) {
+                               &clock_, &stylus_, &force_, &contacts_}) {
       if (topic->writer == 0) continue;
       published[topic->name] = topic->count;
       readers[topic->name] = node_.readersOf(topic->writer);
@@ -250,7 +265,8 @@ class CellPublisher {
   RobotFrames frames_;
   JointStateMessage joint_state_;
   bool simulated_clock_, base_moves_;
-  Topic description_, static_frames_, scene_, moving_frames_, joints_, moved_, wrench_, clock_, stylus_, force_;
+  Topic description_, static_frames_, scene_, moving_frames_, joints_, moved_, wrench_, clock_, stylus_, force_, contacts_;
+  std::unique_ptr<ContactMarkers> markers_;
 };
 
 Expected<std::optional<manipulation::MotionReplay>> replayOf(const workcell::Document& document, const Entity& robot,
@@ -321,6 +337,7 @@ Expected<ordered_json> publishCell(const PublishOptions& options, const std::ato
   HAPTICELL_TRY(replay);
   if (!options.trajectory_topic.empty() && !*replay)
     return makeError({"", "--trajectory", "--motion is missing", "a motion to send", ""});
+  if (options.contacts && !*replay) return makeError({"", "--contacts", "--motion is missing", "a motion", ""});
   const auto scratch = ScratchFolder::make();
   HAPTICELL_TRY(scratch);
   auto description = robotDescription(**robot, options.folder.empty() ? scratch->path() : fs::path(options.folder), notes);
@@ -332,6 +349,11 @@ Expected<ordered_json> publishCell(const PublishOptions& options, const std::ato
   CellPublisher publisher(**node, *document, *robot, *replay, options.simulated_clock);
   HAPTICELL_TRY(publisher.open());
   if (*link) HAPTICELL_TRY(publisher.openStylus());
+  if (options.contacts) {
+    auto markers = ContactMarkers::create(*document, (*robot)->name, **replay, options.rate_hz);
+    HAPTICELL_TRY(markers);
+    HAPTICELL_TRY(publisher.openContacts(std::move(*markers)));
+  }
   HAPTICELL_TRY(publisher.publishLatched(std::move(*description)));
   if (!options.trajectory_topic.empty()) HAPTICELL_TRY(sendTrajectory(**node, **replay, options, stop));
 
@@ -352,6 +374,7 @@ Expected<ordered_json> publishCell(const PublishOptions& options, const std::ato
     if (!*link) continue;
     if (const auto state = (*link)->latestState()) HAPTICELL_TRY(publisher.publishStylus(*state, t));
   }
+  HAPTICELL_TRY(publisher.publishEnd(static_cast<double>(ticks) / options.rate_hz));
   ordered_json result = publisher.result();
   (*node)->flush(1.0);
   result["ticks"] = ticks;

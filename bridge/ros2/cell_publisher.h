@@ -24,6 +24,7 @@ struct PublishOptions {
   double seconds = 10.0;         ///< At least so long; 0: until stopped.
   double wait = 5.0;             ///< At most so long for a reader of the trajectory, s.
   bool simulated_clock = false;  ///< /clock and stamps from 0 instead of the time of day.
+  bool contacts = false;         ///< Markers of the motion's contacts.
   bool repeat = false;           ///< The motion again and again until `seconds`.
 };
 

@@ -43,6 +43,7 @@ hapticell::Expected<nlohmann::ordered_json> publish(const nlohmann::json& job) {
   options.seconds = job.value("seconds", options.seconds);
   options.wait = job.value("wait", options.wait);
   options.simulated_clock = job.value("clock", false);
+  options.contacts = job.value("contacts", false);
   options.repeat = job.value("repeat", false);
   return hapticell::bridge::publishCell(options, stop_asked);
 }

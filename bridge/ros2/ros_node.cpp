@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "bridge/ros2/type_hashes.h"
+#include "geometry/system/assertion.h"
+
 namespace hapticell::bridge {
 
 namespace {
@@ -16,8 +19,13 @@ constexpr const char* kThisMachine =
 /// A quality of service that is freed with its owner.
 using Qualities = std::unique_ptr<dds_qos_t, void (*)(dds_qos_t*)>;
 
-Qualities qualitiesOf(RosQuality quality) {
+/// With the hash of the type as ROS 2 Iron and later announce it (REP 2016).
+Qualities qualitiesOf(RosQuality quality, const dds_topic_descriptor_t& type) {
   Qualities qualities(dds_create_qos(), dds_delete_qos);
+  const std::string_view hash = typeHash(type.m_typename);
+  HAPTICELL_DEMAND(!hash.empty());
+  const std::string user_data = "typehash=" + std::string(hash) + ";";
+  dds_qset_userdata(qualities.get(), user_data.data(), user_data.size());
   const bool is_sensor = quality == RosQuality::kSensor;
   // 100 ms are what ROS 2 has; half: a busy reader costs messages sooner, twice: a publisher hangs longer.
   dds_qset_reliability(qualities.get(), is_sensor ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
@@ -62,7 +70,7 @@ RosNode::~RosNode() {
 
 Expected<dds_entity_t> RosNode::advertise(const std::string& topic, const dds_topic_descriptor_t& type,
                                           RosQuality quality) {
-  const auto qualities = qualitiesOf(quality);
+  const auto qualities = qualitiesOf(quality, type);
   const dds_entity_t at = dds_create_topic(participant_, &type, mangledTopic(topic).c_str(), nullptr, nullptr);
   if (at < 0) return ddsProblem(at, topic);
   const dds_entity_t writer = dds_create_writer(participant_, at, qualities.get(), nullptr);
@@ -73,7 +81,7 @@ Expected<dds_entity_t> RosNode::advertise(const std::string& topic, const dds_to
 
 Expected<dds_entity_t> RosNode::subscribe(const std::string& topic, const dds_topic_descriptor_t& type,
                                           RosQuality quality) {
-  const auto qualities = qualitiesOf(quality);
+  const auto qualities = qualitiesOf(quality, type);
   const dds_entity_t at = dds_create_topic(participant_, &type, mangledTopic(topic).c_str(), nullptr, nullptr);
   if (at < 0) return ddsProblem(at, topic);
   if (quality == RosQuality::kSensor) dds_qset_history(qualities.get(), DDS_HISTORY_KEEP_LAST, 1000);

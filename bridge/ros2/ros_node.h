@@ -36,7 +36,8 @@ class RosNode {
   RosNode(const RosNode&) = delete;
   RosNode& operator=(const RosNode&) = delete;
 
-  /// A writer or a reader of a topic; the type's descriptor is one of ros2_messages.h.
+  /// A writer or a reader of a topic; the type's descriptor is that of a topic of ros2_messages.h (contract). Its USER_DATA
+  /// announces the hash of the type.
   Expected<dds_entity_t> advertise(const std::string& topic, const dds_topic_descriptor_t& type, RosQuality quality);
   Expected<dds_entity_t> subscribe(const std::string& topic, const dds_topic_descriptor_t& type, RosQuality quality);
 

@@ -28,7 +28,7 @@ struct PublishWords {
   RosWords ros;
   std::string workcell, entity, motion, server, trajectory, meshes;
   double rate = 100.0, wait = 5.0;
-  bool clock = false, repeat = false;
+  bool clock = false, repeat = false, contacts = false;
 };
 
 struct ListenWords {
@@ -88,6 +88,7 @@ ExitStatus runPublish(const PublishWords& words, const ResultWriter& writer) {
                     {"rate", words.rate},
                     {"wait", words.wait},
                     {"clock", words.clock},
+                    {"contacts", words.contacts},
                     {"repeat", words.repeat}},
                    words.ros, writer);
 }
@@ -142,6 +143,7 @@ void addRos2Command(Subcommand app, Action& chosen) {
       .takes(ValueKind::kFolder);
   publish.option("--rate", out->rate, "Messages a second, Hz (100)").within(1.0, 1000.0);
   publish.flag("--repeat", out->repeat, "Play the motion again and again");
+  publish.flag("--contacts", out->contacts, "Publish the contacts of the motion as markers");
   publish.flag("--clock", out->clock, "Publish /clock and stamp with times from 0 (use_sim_time)");
   addRosOptions(publish, out->ros, "Shortest duration, s (10); 0: until the motion ends or Ctrl+C");
   publish.onChosen([out, &chosen] { chosen = [out](ResultWriter& writer) { return runPublish(*out, writer); }; });

@@ -4,12 +4,14 @@
 //
 // usage: fastdds_peer DOMAIN read TOPIC TYPE COUNT SECONDS [latched]
 //        fastdds_peer DOMAIN write TOPIC TYPE COUNT HZ [latched]
+//        fastdds_peer DOMAIN watch - - 0 SECONDS         the endpoints of others, with their USER_DATA
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -118,6 +120,46 @@ std::string shown(const moveit_msgs::msg::dds_::PlanningScene_& m) {
   return text + "]}";
 }
 
+std::string shown(const visualization_msgs::msg::dds_::MarkerArray_& m) {
+  std::string text = "{\"markers\":[";
+  for (const auto& k : m.markers()) {
+    if (text.back() != '[') text += ",";
+    const auto& c = k.color();
+    text += "{\"header\":" + json(k.header()) + ",\"ns\":" + json(k.ns()) + ",\"id\":" + std::to_string(k.id()) +
+            ",\"type\":" + std::to_string(k.type()) + ",\"action\":" + std::to_string(k.action()) +
+            ",\"position\":" + xyz(k.pose().position()) + ",\"orientation\":" + wxyz(k.pose().orientation()) +
+            ",\"scale\":" + xyz(k.scale()) + ",\"color\":" + json(std::vector<double>{c.r(), c.g(), c.b(), c.a()}) +
+            ",\"lifetime\":" + json(k.lifetime().sec() + 1e-9 * k.lifetime().nanosec()) +
+            ",\"frame_locked\":" + std::to_string(k.frame_locked()) +
+            ",\"rest\":" + std::to_string(k.points().size() + k.colors().size() + k.uv_coordinates().size() +
+                                          k.texture().data().size() + k.mesh_file().data().size() + k.text().size() +
+                                          k.texture_resource().size() + k.mesh_resource().size() +
+                                          k.mesh_use_embedded_materials()) + "}";
+  }
+  return text + "]}";
+}
+
+/// Says what endpoints of other participants announce.
+class EndpointWatch : public DomainParticipantListener {
+ public:
+  void on_publisher_discovery(DomainParticipant*, eprosima::fastrtps::rtps::WriterDiscoveryInfo&& found) override {
+    if (found.status == found.DISCOVERED_WRITER) say("writer", found.info);
+  }
+  void on_subscriber_discovery(DomainParticipant*, eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& found) override {
+    if (found.status == found.DISCOVERED_READER) say("reader", found.info);
+  }
+
+ private:
+  template <typename Endpoint>
+  void say(const char* kind, const Endpoint& endpoint) {
+    const auto& data = endpoint.m_qos.m_userData.getValue();
+    std::printf("{\"kind\":\"%s\",\"topic\":%s,\"type\":%s,\"user_data\":%s}\n", kind,
+                json(std::string(endpoint.topicName().c_str())).c_str(), json(std::string(endpoint.typeName().c_str())).c_str(),
+                json(std::string(data.begin(), data.end())).c_str());
+    std::fflush(stdout);
+  }
+};
+
 DomainParticipant* participantOf(int domain) {
   DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
@@ -202,7 +244,14 @@ int main(int argc, char** argv) {
   const double number = std::atof(argv[6]);
   const bool latched = argc > 7;
   int status = 2;
+  static EndpointWatch watch;
+  if (way == "watch") {
+    participant->set_listener(&watch);
+    std::this_thread::sleep_for(std::chrono::duration<double>(number));
+    std::_Exit(0);
+  }
   if (way == "read") {
+    if (type == "MarkerArray") status = readTopic<visualization_msgs::msg::dds_::MarkerArray_PubSubType>(participant, topic, count, number, latched);
     if (type == "JointState") status = readTopic<sensor_msgs::msg::dds_::JointState_PubSubType>(participant, topic, count, number, latched);
     if (type == "String") status = readTopic<std_msgs::msg::dds_::String_PubSubType>(participant, topic, count, number, latched);
     if (type == "Clock") status = readTopic<rosgraph_msgs::msg::dds_::Clock_PubSubType>(participant, topic, count, number, latched);

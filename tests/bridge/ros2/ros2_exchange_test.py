@@ -9,11 +9,14 @@ Exit 77 without the peer (Debian: libfastrtps-dev, fastddsgen and Java, when the
 import json
 import math
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import xml.etree.ElementTree as ET
+
+import type_hashes
 
 CLI, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 PEER = sys.argv[3] if len(sys.argv) > 3 else None
@@ -21,8 +24,8 @@ CELL = ROOT / "config/workcells/demo.hcell"
 DOMAIN = "87"
 
 
-def peer(*words):
-    return subprocess.Popen([PEER, DOMAIN, *map(str, words)], stdout=subprocess.PIPE, text=True)
+def peer(*words, output=subprocess.PIPE):
+    return subprocess.Popen([PEER, DOMAIN, *map(str, words)], stdout=output, text=True)
 
 
 def lines(process, wanted=0):
@@ -49,12 +52,121 @@ def motion_file(folder):
     return json.loads((folder / "m.htraj").read_text())
 
 
+def types_are_announced(watch, hashes):
+    """The hashes of types in discovery, as another DDS sees them."""
+    watch.kill()  # It printed every endpoint.
+    out, _ = watch.communicate()
+    seen = {}
+    for endpoint in map(json.loads, out.splitlines()):
+        if endpoint["user_data"]:
+            assert endpoint["user_data"] == f"typehash=RIHS01_{hashes[endpoint['type']]};", endpoint
+            seen[endpoint["kind"], endpoint["topic"]] = endpoint["type"]
+    for topic in ("robot_description", "tf_static", "planning_scene", "tf", "joint_states", "moved/pose", "moved/wrench", "clock",
+                  "contact_markers", "arm/joint_trajectory"):
+        assert ("writer", "rt/" + topic) in seen, (topic, seen)
+    for topic in ("joint_states", "joint_trajectory", "robot_description", "planning_scene", "collision_object"):
+        assert ("reader", "rt/" + topic) in seen, (topic, seen)
+    assert set(seen.values()) == set(hashes), set(hashes) - set(seen.values())
+
+
+def part_of(motion, begin, end):
+    return {**motion, "frames": [frame for frame in motion["frames"] if begin <= frame[0] <= end]}
+
+
+def marked(folder, cell, motion):
+    """Messages of the contacts of a motion, by the time of the motion."""
+    (folder / "part.htraj").write_text(json.dumps(motion))
+    with (folder / "markers.txt").open("w") as output:  # More than a pipe holds.
+        reader = peer("read", "rt/contact_markers", "MarkerArray", 10**6, 60, output=output)
+    time.sleep(0.5)
+    answer(start("publish", "--workcell", cell, "--motion", folder / "part.htraj", "--contacts", "--clock", "--seconds", 0.1))
+    time.sleep(0.2)
+    reader.kill()  # It printed every message.
+    reader.wait()
+    begin = motion["frames"][0][0]
+    messages = []
+    for message in map(json.loads, (folder / "markers.txt").read_text().splitlines()):
+        header = message["markers"][0]["header"]
+        assert header["frame_id"] == "world" and all(marker["header"] == header for marker in message["markers"])
+        messages.append((begin + header["sec"] + 1e-9 * header["nanosec"], message["markers"]))
+    assert len(messages) > 20, len(messages)
+    return messages
+
+
+def direction(w, x, y, z):
+    """Where a rotation turns the x axis."""
+    return [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)]
+
+
+def contacts_are_marked(folder, motion):
+    whole = part_of(motion, 4.6, 6.7)
+    forces = 1 + 7 + len(motion["joints"])
+    inspected = json.loads(subprocess.run([CLI, "inspect", CELL], capture_output=True, text=True, check=True).stdout)
+    bounds = {}
+
+    def collect(entities):
+        for entity in entities:
+            if entity.get("bounds"):
+                bounds[entity["name"]] = entity["bounds"]
+            collect(entity["children"])
+    collect(inspected["entities"])
+    shown, ended = set(), set()
+    for t, markers in marked(folder, CELL, whole):
+        added = {}
+        for marker in markers:
+            assert marker["id"] in (0, 1) and marker["frame_locked"] == marker["rest"] == 0 and marker["lifetime"] == 0.5
+            if marker["action"] == 2:
+                assert marker["ns"] in shown
+                ended.add((marker["ns"], marker["id"]))
+                continue
+            assert marker["action"] == 0 and [round(c, 3) for c in marker["color"]] == [0.9, 0.2, 0.1, 1]
+            added.setdefault(marker["ns"], {})[marker["id"]] = marker
+        # Which are in contact is what the session wrote down.
+        if all(abs(t - edge) > 1e-6 for touch in motion["touches"] for edge in touch[:2]) and t < whole["frames"][-1][0]:
+            assert set(added) == {f"{first} / {second}" for t_in, t_out, first, second, _ in motion["touches"] if t_in <= t < t_out}, (t, added)
+        shown |= set(added)
+        # At a frame's own time rounding decides which of two is meant.
+        felt = [[row for row in whole["frames"] if row[0] <= max(t + side, whole["frames"][0][0])][-1][forces:forces + 3]
+                for side in (-1e-6, 1e-6)]
+        for name, pair in added.items():
+            arrow, ball = pair[0], pair[1]
+            n = direction(*arrow["orientation"])
+            assert (arrow["type"], ball["type"]) == (0, 2) and arrow["position"] == ball["position"]
+            assert abs(sum(q * q for q in arrow["orientation"]) - 1) < 1e-9 and ball["orientation"] == [1, 0, 0, 0]
+            along = [max(0.0, sum(f * c for f, c in zip(force, n))) for force in felt]
+            assert any(abs(arrow["scale"][0] - (0.010 + 0.010 * f)) < 1e-6 for f in along) and ball["scale"] == [0.01, 0.01, 0.01], (t, arrow)
+            # Half of the safety distance of 1 mm off the other part, on the side that the normal points to.
+            box = bounds[name.split(" / ")[1]]
+            assert all(low - 0.0011 < p < high + 0.0011 for low, p, high in zip(box["min"], arrow["position"], box["max"])), (arrow, box)
+            towards = {"Stop rail": [-1, 0, 0]}.get(name.split(" / ")[1], [0, 0, 1])
+            assert sum(a * b for a, b in zip(n, towards)) > 0.7, (name, n)  # Locators are round.
+    assert len(shown) == 3 and ended == {(name, marker) for name in shown for marker in (0, 1)}, (shown, ended)
+
+
+def depth_is_marked(folder, motion):
+    """The stop 5 mm nearer: the part, 1 mm off before, is 4 mm deep in it. The motion lists no contacts."""
+    cell = json.loads(CELL.read_text())
+    stop = next(entity for entity in cell["entities"] if entity["name"] == "Stop rail")
+    stop["placement"]["position"][0] -= 0.005
+    moved = folder / "config/workcells/stop.hcell"
+    moved.parent.mkdir(parents=True)
+    shutil.copytree(CELL.parent / "demo", moved.parent / "demo")
+    (folder / "config/robots").symlink_to(ROOT / "config/robots")
+    moved.write_text(json.dumps(cell))
+    found = marked(folder, moved, {**part_of(motion, 3.6, 6.0), "touches": []})
+    pressed = [marker for t, markers in found for marker in markers if 5.5 < t < 6.0 and marker["id"] == 1 and marker["action"] == 0]
+    assert len(pressed) > 20
+    for ball in pressed:
+        assert ball["ns"] == "robot/housing_4711 / Stop rail" and abs(ball["scale"][0] - (0.010 + 2 * 0.004)) < 4e-4, ball
+
+
 def everything_arrives(folder, motion):
     readers = {"joints": peer("read", "rt/joint_states", "JointState", 50, 30), "frames": peer("read", "rt/tf", "TFMessage", 50, 30),
                "moved": peer("read", "rt/moved/pose", "PoseStamped", 20, 30), "clock": peer("read", "rt/clock", "Clock", 20, 30),
                "force": peer("read", "rt/moved/wrench", "WrenchStamped", 20, 30)}
     time.sleep(1.0)
-    publish = start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--clock", "--rate", 100, "--seconds", 12, "--repeat")
+    publish = start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--clock", "--rate", 100, "--seconds", 12, "--repeat",
+                    "--contacts")
     time.sleep(4.0)
     # Who comes late gets what is latched.
     late = {"text": peer("read", "rt/robot_description", "String", 1, 20, "latched"),
@@ -207,15 +319,18 @@ def a_thousand_a_second_arrive(folder):
 
 
 def main():
+    hashes = type_hashes.check(ROOT)
     if not PEER:
         print("skipped: Fast DDS, fastddsgen or Java was not there when the tests were built")
         return 77
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         motion = motion_file(folder)
+        watch = peer("watch", "-", "-", 0, 250)
         for step in (lambda: everything_arrives(folder, motion), lambda: a_motion_is_sent(folder, motion), lambda: robots_are_heard(folder),
-                     lambda: a_robot_is_mirrored(folder, motion),
-                     lambda: objects_are_taken(folder), lambda: peers_go_and_come(folder), lambda: a_thousand_a_second_arrive(folder)):
+                     lambda: a_robot_is_mirrored(folder, motion), lambda: objects_are_taken(folder),
+                     lambda: types_are_announced(watch, hashes), lambda: contacts_are_marked(folder, motion),
+                     lambda: depth_is_marked(folder, motion), lambda: peers_go_and_come(folder), lambda: a_thousand_a_second_arrive(folder)):
             step()
             print("passed", flush=True)
     return 0
