@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "collision/queries/freeing_shift.h"
 #include "collision/queries/proximity_query.h"
 #include "geometry/system/assertion.h"
 #include "kinematics/model/jacobian.h"
@@ -449,10 +450,48 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
   return meetsNothing(true) && !ownPartsTouch(from, to);
 }
 
-std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {
+void FreeSpace::place(const EntityConfiguration& at) {
   plan_->manipulator->partPoses(at, X_WP_);
   for (std::size_t i = 0; i < X_WP_.size(); ++i) scene_.setPose(static_cast<collision::PartIndex>(i), X_WP_[i]);
+}
+
+std::optional<collision::PairDistance> FreeSpace::measure(const EntityConfiguration& at, double limit) {
+  place(at);
   return scene_.nearest(limit);
+}
+
+PairGap FreeSpace::gapFrom(const collision::PairDistance& found) const {
+  PairGap gap{found.pair, found.result.distance, found.result.nhat_BA_W, plan_->pairs[scene_.tag(found.pair)].words};
+  if (!found.result.colliding) return gap;
+  const collision::PartIndex a = scene_.moved(found.pair), b = scene_.environment(found.pair);
+  collision::ProximityQuery query(scene_.sharedCollider(a), scene_.sharedCollider(b));
+  const auto shift = collision::freeingShift(query, scene_.pose(a), scene_.pose(b));
+  gap.gap = shift.found ? -shift.depth : -std::numeric_limits<double>::infinity();
+  if (shift.found) gap.open_W = shift.direction_W;
+  return gap;
+}
+
+std::vector<PairGap> FreeSpace::gapsAt(const EntityConfiguration& at, double limit) {
+  place(at);
+  std::vector<collision::PairDistance> found;
+  scene_.pairsWithin(limit, found);
+  std::vector<PairGap> gaps;
+  for (const collision::PairDistance& one : found) gaps.push_back(gapFrom(one));
+  std::stable_sort(gaps.begin(), gaps.end(), [](const PairGap& a, const PairGap& b) { return a.gap < b.gap; });
+  return gaps;
+}
+
+double FreeSpace::gapOf(std::uint32_t pair, const EntityConfiguration& at) {
+  place(at);
+  return gapFrom({pair, scene_.distance(pair)}).gap;
+}
+
+void FreeSpace::setChecked(const std::vector<PairGap>& pairs, bool checked) {
+  for (const PairGap& one : pairs) scene_.setEnabled(one.pair, checked);
+}
+
+EntityConfiguration FreeSpace::proposed(const EntityConfiguration& from, const Pose& X_WT) const {
+  return plan_->manipulator->propose(from, X_WT, std::numeric_limits<double>::infinity());
 }
 
 double FreeSpace::clearanceAt(const EntityConfiguration& at, double limit) {

@@ -28,6 +28,14 @@ struct Blocker {
   Text text() const;             ///< "robot/link_4 would touch fixture"
 };
 
+/// A pair of a moved part with something of the cell, and how far apart it is.
+struct PairGap {
+  std::uint32_t pair = 0;  ///< For FreeSpace::gapOf() and setChecked().
+  double gap = 0.0;        ///< m; below 0: a shift by so much frees them. -infinity: no shift that frees them is found.
+  dvec3 open_W{0.0};       ///< Unit: where the moved part goes to come apart.
+  Blocker who;
+};
+
 /// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
 /// of configurations and of whole motions on the full meshes.
 ///
@@ -69,6 +77,15 @@ class FreeSpace {
   /// The pair of that distance; empty if nothing is nearer than `limit`.
   std::optional<Blocker> nearestAt(const EntityConfiguration& at, double limit);
 
+  /// All pairs but the own ones that are nearer than `limit` (m), the nearest first. Milliseconds each in contact.
+  std::vector<PairGap> gapsAt(const EntityConfiguration& at, double limit);
+  /// PairGap::gap of one of them.
+  double gapOf(std::uint32_t pair, const EntityConfiguration& at);
+  /// Whether later questions but gapOf() heed these pairs; at first they do.
+  void setChecked(const std::vector<PairGap>& pairs, bool checked);
+  /// The configuration near `from` with the tool (a solid's frame) at X_WT, or as near to that as it can be.
+  EntityConfiguration proposed(const EntityConfiguration& from, const Pose& X_WT) const;
+
   /// The configuration at `s` in [0, 1] of the motion that is checked: joints straight, or origin straight and rotation
   /// about a fixed axis.
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const;
@@ -100,6 +117,8 @@ class FreeSpace {
   bool keptApart(std::size_t own, const EntityConfiguration& at) const;
   bool ownPartsTouch(const EntityConfiguration& at);
   bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
+  PairGap gapFrom(const collision::PairDistance& found) const;
+  void place(const EntityConfiguration& at);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
   std::shared_ptr<const Plan> plan_;

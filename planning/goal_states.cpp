@@ -27,6 +27,10 @@ constexpr double kNearestSteps[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 
 /// beyond passes.
 constexpr double kOnLimit = 1e-6;
 
+/// Configurations of a goal that are not free and are kept all the same. Half: one that could be reached by leaving it
+/// backwards may be missing; twice: some ms more where none can.
+constexpr std::size_t kMostTight = 16;
+
 using Blocks = std::map<std::string, std::size_t>;
 
 /// A number from 0 to 1 that is the same with every standard library.
@@ -47,6 +51,13 @@ class GoalFinder {
       : space_(space), start_(start), seed_(seed) {}
 
   Expected<GoalStates> find(const Goal& goal) {
+    auto states = statesOf(goal);
+    if (states) states->tight = std::move(tight_);
+    return states;
+  }
+
+ private:
+  Expected<GoalStates> statesOf(const Goal& goal) {
     return std::visit(Overloaded{[&](const goal::ToPose& to) { return toPose(to.X_WT); },
                                  [&](const goal::ToJoints& to) { return toJoints(to.joints); },
                                  [&](const goal::ToRegion& to) { return toRegion(to); },
@@ -54,7 +65,6 @@ class GoalFinder {
                       goal);
   }
 
- private:
   Expected<void> prepareInverse() {
     if (!space_.hasJoints() || inverse_) return {};
     auto inverse = manipulation::inverseToTool(space_.entity());
@@ -72,6 +82,7 @@ class GoalFinder {
       } else if (const auto blocker = space_.blocker()) {
         ++blocks_[blocker->met];
         if (first_blocker_.empty()) first_blocker_ = blocker->text();
+        if (tight_.size() < kMostTight) tight_.push_back(std::move(one));
       }
     }
   }
@@ -131,6 +142,7 @@ class GoalFinder {
       ++blocks_[blocker->met];
       first_blocker_ = blocker->text();
     }
+    tight_.push_back(at);
     HAPTICELL_TRY(prepareInverse());
     states.failure = blocked(space_.toolAt(at));
     return states;
@@ -232,6 +244,7 @@ class GoalFinder {
   std::size_t tried_ = 0;
   Blocks blocks_;
   Text first_blocker_;
+  std::vector<EntityConfiguration> tight_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace hapticell::planning {
 struct GoalStates {
   std::vector<EntityConfiguration> free;  ///< Nearest to the start first; empty with a failure.
   std::optional<Failure> failure;
+  std::vector<EntityConfiguration> tight = {};  ///< Some of those that are not free, nearest to the start first.
 };
 
 /// All configurations of the goal that are free with the clearance of `space`: for a pose every solution of the robot's

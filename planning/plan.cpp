@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "planning/goal_states.h"
+#include "planning/leaving.h"
 #include "planning/search.h"
 #include "planning/shortening.h"
 
@@ -65,9 +66,14 @@ class Planning {
   Expected<PlanResult> run() {
     PlanResult result;
     result.note = space_.note();
+    path_ = {start_};
     if (!space_.isFree(start_)) {
-      result.failure = isStopped() ? cancelled() : startFailure(space_, start_);
-      return result;
+      const auto out = problem_.leaves_contact && !isStopped() ? wayOut(space_, start_) : std::nullopt;
+      if (!out) {
+        result.failure = isStopped() ? cancelled() : notLeft();
+        return result;
+      }
+      path_.push_back(*out);
     }
     const auto made = makePath(result);
     HAPTICELL_TRY(made);
@@ -81,6 +87,12 @@ class Planning {
  private:
   bool isStopped() const { return problem_.stop != nullptr && problem_.stop->load(std::memory_order_relaxed); }
 
+  Failure notLeft() {
+    Failure failure = startFailure(space_, start_);
+    if (problem_.leaves_contact) failure.reason = whyNoWayOut(space_, start_, failure.reason);
+    return failure;
+  }
+
   static Failure cancelled() {
     Failure failure;
     failure.kind = Failure::Kind::kCancelled;
@@ -90,20 +102,44 @@ class Planning {
 
   /// The way from pose to pose, each part shortened; a failure goes to the result.
   Expected<void> makePath(PlanResult& result) {
-    path_ = {start_};
     for (std::size_t i = 0; i <= problem_.through.size() && !result.failure; ++i) {
       const bool is_last = i == problem_.through.size();
       const Goal target = is_last ? problem_.goal : Goal(goal::ToPose{problem_.through[i]});
       auto states = goalStates(target, space_, path_.back(), problem_.seed + i);
       HAPTICELL_TRY(states);
-      if (states->failure) {
+      const bool may_reach = is_last && problem_.leaves_contact && states->failure && !isStopped();
+      const std::vector<Reached> reached = may_reach ? reachable(states->tight) : std::vector<Reached>();
+      for (const Reached& one : reached) states->free.push_back(one.from);
+      if (reached.empty() && states->failure) {
         result.failure = isStopped() ? cancelled() : std::move(states->failure);
         return {};
       }
       addPart(states->free, i, result);
+      for (const Reached& one : reached) {
+        if (result.failure || !isSame(path_.back(), one.from)) continue;
+        path_.push_back(one.goal);
+        break;
+      }
       if (!is_last) through_.push_back(path_.size() - 1);
     }
     return {};
+  }
+
+  /// A goal that is in contact or too near, and where the motion that reaches it begins.
+  struct Reached {
+    EntityConfiguration from, goal;
+  };
+
+  std::vector<Reached> reachable(const Path& tight) {
+    std::vector<Reached> reached;
+    for (const EntityConfiguration& goal : tight) {
+      if (auto from = wayOut(space_, goal)) reached.push_back({std::move(*from), goal});
+    }
+    return reached;
+  }
+
+  static bool isSame(const EntityConfiguration& a, const EntityConfiguration& b) {
+    return a.joints == b.joints && a.X_WE.p == b.X_WE.p && a.X_WE.q == b.X_WE.q;
   }
 
   void addPart(const Path& goals, std::size_t part, PlanResult& result) {
@@ -212,6 +248,7 @@ class Planning {
   Plan finished() {
     Plan plan;
     plan.slack = slack_;
+    plan.leaves_contact = problem_.leaves_contact;
     plan.clearance_min = kMeasured;
     dvec3 p_WT = space_.toolAt(path_.front()).p;
     for (std::size_t i = 0; i < path_.size(); ++i) {

@@ -24,6 +24,8 @@ struct Plan {
   double clearance_min = 0.0;  ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
   /// m: it was planned with so much more than the clearance, so that its corners may be rounded off (timedMotion()).
   double slack = 0.0;
+  /// Its first and last piece may be nearer than the clearance, by LeavingRule (Problem::leaves_contact).
+  bool leaves_contact = false;
 };
 
 /// Why there is no plan.

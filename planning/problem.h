@@ -42,6 +42,22 @@ struct OutOfCell {
 
 using Goal = std::variant<goal::ToPose, goal::ToJoints, goal::ToRegion, goal::OutOfCell>;
 
+/// How a motion may leave what is in contact with the entity, or nearer than the clearance, at its start, and reach such
+/// things at its goal. A pair is left so: it is no deeper than `deepest` at the start; until it is beyond the clearance
+/// the entity stays within nearness(), and the gap is never smaller by more than `may_close` than it was before. From
+/// then on the clearance holds. Goals are reached in the same way, backwards.
+struct LeavingRule {
+  /// m: deeper than surfaces that were placed by hand or measured. Half: such starts are refused; twice: a part that is
+  /// placed in another by mistake may be planned for.
+  static constexpr double kDeepest = 1e-3;
+  /// m: a gap that is left without turning; rounded corners change it by some hundredths. Half: plans are rounded off
+  /// less and rest at corners; twice: a part may be pressed in by 0.2 mm.
+  static constexpr double kMayClose = 1e-4;
+  /// m of path of any point. Half of 0.05: long flush fits cannot be left; twice: a motion may go along a surface for
+  /// longer without its clearance.
+  static constexpr double nearness(double clearance) { return 0.05 + 2.0 * clearance; }
+};
+
 /// What is to be planned: a value; the scene is shared and immutable.
 struct Problem {
   std::shared_ptr<const manipulation::PreparedScene> scene;
@@ -53,6 +69,9 @@ struct Problem {
   Goal goal = goal::ToPose{};
   /// m that the whole motion keeps from everything but the entity's own links.
   double clearance = 0.005;
+  /// What touches the entity at its start or goal, or is nearer than the clearance, is left and reached by LeavingRule;
+  /// false: such a start or goal is a failure.
+  bool leaves_contact = false;
   /// Poses of the tool (of a solid: of its own frame) that the motion passes, in this order.
   std::vector<Pose> through = {};
   /// Configurations that a way may pass, in their order: a way shown by hand, an older plan. Their free stretches are

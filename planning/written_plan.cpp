@@ -7,6 +7,7 @@
 #include "manipulation/checks/joint_check.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
+#include "planning/written_leaving.h"
 #include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/number_text.h"
 
@@ -84,9 +85,47 @@ Expected<Clearance> clearanceOfJoints(const Trajectory& fine, const std::vector<
   return clearance;
 }
 
+Text timeText(double t) {
+  return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4));
+}
+
+/// A contact of a pair that is left or reached just then.
+bool isAllowed(const manipulation::PathFinding& finding, const std::vector<TightPair>& tight) {
+  return std::any_of(tight.begin(), tight.end(), [&](const TightPair& one) {
+    if (one.moved != finding.first || one.met != finding.second) return false;
+    return one.is_reached ? finding.t_in >= one.t : finding.t_out <= one.t;
+  });
+}
+
+void addLeaving(const Leaving& leaving, Promises& promises) {
+  if (leaving.tight.empty()) return;
+  // Half the exactness to which the planner halves depths; half: it may refuse what the planner has just allowed.
+  constexpr double kDepthRounding = 2e-5;
+  promises.list.push_back(
+      {"depth", LeavingRule::kDeepest, leaving.deepest, "m", leaving.where_deepest, false, kDepthRounding});
+  promises.list.push_back({"closing", LeavingRule::kMayClose, leaving.closing, "m", leaving.where_closing, false, 1e-6});
+}
+
 }  // namespace
 
+Text TightPair::text() const {
+  const std::string when = trajectory::shortestText(std::round(100.0 * t) / 100.0);
+  if (is_reached)
+    return gap > 0.0 ? Text("%1 is %2 from %3 at the goal, and clear of it until %4 s", moved, Text::Length{gap}, met, when)
+                     : Text("%1 touches %2 at the goal, and is clear of it until %3 s", moved, met, when);
+  return gap > 0.0 ? Text("%1 is %2 from %3 at the start, and clear of it from %4 s on", moved, Text::Length{gap}, met, when)
+                   : Text("%1 touches %2 at the start, and is clear of it from %3 s on", moved, met, when);
+}
+
 Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, const Plan& plan, double clearance,
+                                       const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                       workcell::EntityId id, const config::Configuration& configuration) {
+  auto check = checkWrittenPlan(written, plan, clearance, scene, id, configuration);
+  HAPTICELL_TRY(check);
+  return std::move(check->promises);
+}
+
+Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId id, const config::Configuration& configuration) {
   const workcell::Entity* entity = scene->find(id);
@@ -111,10 +150,18 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
     HAPTICELL_TRY(of_joints);
     least = *of_joints;
   }
+  Leaving leaving;
+  if (plan.leaves_contact) {
+    auto measured = measuredLeaving(fine, *columns, scene, *entity, {clearance, options.look}, configuration);
+    HAPTICELL_TRY(measured);
+    leaving = std::move(*measured);
+    if (!leaving.tight.empty()) least = {leaving.least, leaving.t_least};
+  }
   double contacts = 0.0, beyond = 0.0;
   Text where_contact, where_beyond;
   for (const manipulation::PathFinding& finding : check->findings) {
     if (finding.kind == manipulation::PathFinding::Kind::kCollision) {
+      if (isAllowed(finding, leaving.tight)) continue;
       contacts += 1.0;
       where_contact = Text("%1 touches %2", finding.first, finding.second);
     }
@@ -124,18 +171,22 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
     }
   }
   if (contacts > 0.0) least.least = 0.0;
-  const auto timeText = [](double t) { return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4)); };
-  Promises promises;
+  WrittenPlan result;
+  Promises& promises = result.promises;
   // A millionth of a metre: distances of the file's numbers, written to the last bit, differ by far less.
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
-  promises.list.push_back({"contacts", 0.0, contacts, "", where_contact, false, 0.0});
+  promises.list.push_back({"contacts", 0.0, contacts, "", {}, false, 0.0, where_contact, "no contact on the way"});
   promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
+  const char* const unit = columns->empty() ? "m" : "rad";
   promises.list.push_back(
-      {"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), "", {}, false, 0.0});
+      {"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), unit, {}, false, 0.0});
   promises.list.push_back(
-      {"goal", kEnds, differenceOf(*motion, motion->size() - 1, plan.waypoints.back(), *columns), "", {}, false, 0.0});
+      {"goal", kEnds, differenceOf(*motion, motion->size() - 1, plan.waypoints.back(), *columns), unit, {}, false, 0.0});
   promises.help = "Ask for a larger clearance, or for another seed.";
-  return promises;
+  promises.can_be_forced = false;
+  addLeaving(leaving, promises);
+  result.tight = std::move(leaving.tight);
+  return result;
 }
 
 }  // namespace hapticell::planning

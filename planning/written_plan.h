@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "config/configuration.h"
 #include "geometry/system/error.h"
@@ -12,13 +14,37 @@
 
 namespace hapticell::planning {
 
+/// A pair that the motion leaves at its start, or reaches at its goal, in contact or nearer than the clearance.
+struct TightPair {
+  std::string moved, met;   ///< "robot/link_4", "fixture"
+  double gap = 0.0;         ///< m at the start (the goal); below 0: so deep, by a shift that frees them.
+  double t = 0.0;           ///< s: until then it is left; from then on it is reached.
+  bool is_reached = false;  ///< At the goal, not at the start.
+  Text text() const;        ///< "robot/link_4 touches fixture at the start and is clear of it from 0.4 s on"
+};
+
+/// What was measured on a written motion.
+struct WrittenPlan {
+  Promises promises;
+  std::vector<TightPair> tight;
+};
+
 /// Reads the motion that was written for a plan, and measures what was promised: the clearance to all but the entity's
 /// own parts, no contact on the way (checkPath(), continuously), joints within their limits, and the ends of the plan.
 ///
 /// The clearance is measured at the frames and at places between them, so close that no part moves by more than about
 /// 2 mm from one to the next. Shares nothing with the code that plans: the scene is asked by manipulation/checks.
 /// Promises: "clearance" (m), "contacts" and "limits" (findings), "start" and "goal" (m or rad of the worst number).
+/// If the plan leaves contacts, pairs that begin or end in contact or nearer than the clearance are judged by LeavingRule
+/// until they are left and once they are reached, and add two promises: "depth" (m) at start and goal, and "closing" (m):
+/// by how much a gap becomes smaller that is to open, or larger that is to close. Gaps below 0 are the shortest shift
+/// that was found along a few directions.
 /// Errors: the file cannot be read, or is of another entity.
+Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, const Plan& plan, double clearance,
+                                       const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                       workcell::EntityId entity, const config::Configuration& configuration = {});
+
+/// Its promises alone.
 Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId entity, const config::Configuration& configuration = {});

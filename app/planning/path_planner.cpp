@@ -19,14 +19,14 @@ namespace {
 /// clearance; as `hapticell-cli plan`. The last is exact but rests at corners.
 constexpr double kRoundings[] = {1.0, 0.4, 0.1};
 
-Expected<Promises> measuredAsWritten(const trajectory::Trajectory& motion, const planning::Plan& plan,
+Expected<planning::WrittenPlan> measuredAsWritten(const trajectory::Trajectory& motion, const planning::Plan& plan,
                                      const PathRequest& request) {
   const auto folder = ScratchFolder::make();
   HAPTICELL_TRY(folder);
   const std::filesystem::path file = folder->path() / "path.htraj";
   HAPTICELL_TRY(writeFileAtomically(file, toJsonText(motion)));
-  return planning::writtenPlanPromises(file, plan, request.problem.clearance, request.problem.scene,
-                                       request.problem.entity, request.configuration);
+  return planning::checkWrittenPlan(file, plan, request.problem.clearance, request.problem.scene, request.problem.entity,
+                                    request.configuration);
 }
 
 Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& request, PathAnswer& answer) {
@@ -34,14 +34,16 @@ Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& re
   for (const double rounding : kRoundings) {
     auto motion = planning::timedMotion(*answer.result.plan, space, {.sample_s = 0.01, .rounding = rounding});
     HAPTICELL_TRY(motion);
-    const auto promises = measuredAsWritten(*motion, *answer.result.plan, request);
-    HAPTICELL_TRY(promises);
-    if (!promises->areKept()) {
-      missed = promises->missed("path.htraj");
+    const auto check = measuredAsWritten(*motion, *answer.result.plan, request);
+    HAPTICELL_TRY(check);
+    const Promises& promises = check->promises;
+    if (!promises.areKept()) {
+      missed = promises.missed("path.htraj");
       continue;
     }
-    answer.clearance = promises->list.front().measured;
-    answer.clearance_place = promises->list.front().place;
+    answer.clearance = promises.list.front().measured;
+    answer.clearance_place = promises.list.front().place;
+    for (const planning::TightPair& one : check->tight) answer.tight.push_back(one.text());
     answer.motion = std::move(*motion);
     return {};
   }
@@ -55,7 +57,7 @@ Expected<PathAnswer> planPath(PathRequest& request) {
   HAPTICELL_TRY(space);
   auto result = planning::plan(request.problem, *space);
   HAPTICELL_TRY(result);
-  PathAnswer answer{std::move(*result), std::nullopt, 0.0, {}};
+  PathAnswer answer{std::move(*result), std::nullopt, 0.0, {}, {}};
   if (answer.result.isSolved()) HAPTICELL_TRY(addMotion(*space, request, answer));
   return answer;
 }

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "config/configuration.h"
 #include "geometry/system/error.h"
@@ -29,6 +30,7 @@ struct PathAnswer {
   std::optional<trajectory::Trajectory> motion;
   double clearance = 0.0;  ///< m: the least distance on the written motion.
   Text clearance_place;    ///< Where that is: "at 1.2 s, frame 30"; may be empty.
+  std::vector<Text> tight;  ///< Sentences on what begins or ends in contact or nearer than the clearance.
 };
 
 /// Plans one path at a time in the background. GUI thread.

@@ -142,6 +142,7 @@ void PlanPanel::plan() {
   planned_seed_ = static_cast<std::uint64_t>(seed_->value());
   request.problem.seed = planned_seed_;
   request.problem.time_limit_s = time_->value();
+  request.problem.leaves_contact = true;
   if (const auto X_WT = through_->frame_W()) request.problem.through.push_back(*X_WT);
   planner_.start(std::move(request));
 }
@@ -164,6 +165,7 @@ void PlanPanel::take(const PathAnswer& answer) {
               .arg(1000.0 * answer.result.plan->length, 0, 'f', 0)
               .arg(motion.duration(), 0, 'f', 1)
               .arg(planned_seed_);
+  for (const Text& one : answer.tight) last_ += QLatin1Char(' ') + shownText(one) + QLatin1Char('.');
   if (!answer.result.note.empty()) last_ += QLatin1Char(' ') + shownText(answer.result.note);
   host_.recording().deliver({std::move(motion)});
   refresh();

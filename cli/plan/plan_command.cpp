@@ -99,6 +99,7 @@ Expected<planning::Problem> problemOf(const PlanOptions& options) {
   problem.seed = static_cast<std::uint64_t>(options.seed);
   problem.time_limit_s = options.time;
   problem.threads = options.jobs;
+  problem.leaves_contact = true;
   if (!options.through.empty()) {
     auto poses = trajectory::readPoseCsv(options.through);
     HAPTICELL_TRY(poses);
@@ -148,6 +149,15 @@ ordered_json failureJson(const planning::PlanResult& result, const PlanOptions& 
   return json;
 }
 
+/// What begins or ends in contact, or nearer than the clearance, and until when.
+void addTight(const std::vector<planning::TightPair>& tight, ordered_json& json) {
+  for (const planning::TightPair& one : tight) {
+    json[one.is_reached ? "reached" : "left"].push_back(
+        {{"moved", one.moved}, {"met", one.met}, {"gap_m", one.gap}, {one.is_reached ? "from_s" : "until_s", one.t}});
+    json["notes"].push_back(one.text());
+  }
+}
+
 /// Times the plan and writes it, once the file as written keeps what was asked.
 Expected<ordered_json> writePlan(const planning::PlanResult& result, const planning::FreeSpace& space,
                                  const planning::Problem& problem, const PlanOptions& options) {
@@ -161,14 +171,18 @@ Expected<ordered_json> writePlan(const planning::PlanResult& result, const plann
     const bool is_csv = std::filesystem::path(options.output).extension() == ".csv";
     const std::string content = is_csv ? toCsvText(*motion) : toJsonText(*motion);
     double clearance = 0.0;
-    const auto measure = [&](const std::filesystem::path& file) {
-      auto promises = planning::writtenPlanPromises(file, plan, options.clearance, problem.scene, problem.entity);
-      if (promises) clearance = promises->list.front().measured;
-      return promises;
+    std::vector<planning::TightPair> tight;
+    const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
+      auto check = planning::checkWrittenPlan(file, plan, options.clearance, problem.scene, problem.entity);
+      HAPTICELL_TRY(check);
+      clearance = check->promises.list.front().measured;
+      tight = std::move(check->tight);
+      return std::move(check->promises);
     };
     written = writeKept(options.output, content, ".htraj", false, measure, json);
     if (!written) continue;
     json["clearance_min_m"] = clearance;
+    addTight(tight, json);
     json["checks"] = result.checks;
     json["planner"] = result.planner;
     json["waypoints"] = plan.waypoints.size();

@@ -56,11 +56,15 @@ Error Promises::missed(const std::string& file) const {
   const Promise* promise = worst();
   HAPTICELL_DEMAND(promise != nullptr);
   const Text asked = withUnit(promise->asked, promise->unit);
-  const Text unwritten = "Nothing was written. To write the file anyway, use --allow-miss.";
+  const Text unwritten = can_be_forced ? Text("Nothing was written. To write the file anyway, use --allow-miss.")
+                                       : Text("Nothing was written.");
+  const Text found = promise->found.empty() ? Text("%1 %2", promise->name, withUnit(promise->measured, promise->unit))
+                                            : promise->found;
+  const Text limit = promise->is_at_least ? Text("at least %1", asked) : Text("at most %1", asked);
   return {.file = file,
           .place = promise->place,
-          .found = Text("%1 %2", promise->name, withUnit(promise->measured, promise->unit)),
-          .expected = promise->is_at_least ? Text("at least %1", asked) : Text("at most %1", asked),
+          .found = found,
+          .expected = promise->expected.empty() ? limit : promise->expected,
           .fix = help.empty() ? unwritten : Text("%1 %2", help, unwritten)};
 }
 

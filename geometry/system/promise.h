@@ -18,6 +18,8 @@ struct Promise {
   Text place{};              ///< Where the worst value is: "at 1.2 s, frame 30"; empty if there is no deviation.
   bool is_at_least = false;  ///< `asked` is a minimum (a clearance), not a maximum.
   double rounding = 0.0;     ///< Rounding error of `measured`; it may exceed the limit by this much.
+  /// Said instead of the numbers if it is missed: "link_4 touches wall", "no contact". Empty: the numbers.
+  Text found{}, expected{};
 
   bool isKept() const;
 };
@@ -26,6 +28,7 @@ struct Promise {
 struct Promises {
   std::vector<Promise> list;
   Text help;  ///< What the user can do if a promise is missed; a whole sentence.
+  bool can_be_forced = true;  ///< What makes the file has --allow-miss.
 
   bool areKept() const;
   /// The promise that is missed by the largest share; nullptr if all are kept.

@@ -21,6 +21,7 @@ struct CheckedPair {
   bool fixed = false;       ///< No joint moves the two against each other.
   bool left_out = false;    ///< They touch at rest.
   std::string moved, met;
+  std::string first, second;  ///< As checkPath() names them.
 };
 
 /// m: nearer than this at rest counts as touching, as in collisionAt(). Half: rounding decides; twice: a pair 2 um apart
@@ -85,6 +86,10 @@ std::vector<CheckedPair> pairsOf(const HeldModel& model, const HeldPairs& held) 
     } else {
       checked.met = other != nullptr ? other->name : pair.other_part;
     }
+    const ScenePart& second =
+        checked.own ? *model.parts()[checked.other].part : *held.obstacleParts()[checked.other];
+    checked.first = model.nameOf(*model.parts()[checked.part].part);
+    checked.second = model.nameOf(second);
     pairs.push_back(std::move(checked));
   }
   return pairs;
@@ -212,6 +217,22 @@ double JointCheck::clearance(const std::vector<double>& joints, double limit) {
   place(joints, obstacles_);
   const auto nearest = obstacles_.nearest(limit);
   return nearest ? nearest->result.distance : limit;
+}
+
+void JointCheck::nearer(const std::vector<double>& joints, double limit, std::vector<NearPair>& near) {
+  place(joints, obstacles_);
+  std::vector<collision::PairDistance> found;
+  obstacles_.pairsWithin(limit, found);
+  near.clear();
+  for (const auto& one : found) near.push_back({one.pair, one.result.distance});
+}
+
+PlacedPair JointCheck::placed(const std::vector<double>& joints, std::uint32_t pair) {
+  place(joints, obstacles_);
+  const CheckedPair& words = plan_->pairs[obstacles_.tag(pair)];
+  const collision::PartIndex a = obstacles_.moved(pair), b = obstacles_.environment(pair);
+  return {obstacles_.sharedCollider(a), obstacles_.sharedCollider(b), obstacles_.pose(a), obstacles_.pose(b),
+          words.first, words.second};
 }
 
 Text JointCheck::contactAt(const std::vector<double>& joints) {

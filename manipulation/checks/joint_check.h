@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "collision/queries/scene.h"
@@ -19,6 +21,19 @@ enum class RestContacts {
   kCount,            ///< They count like all others.
   kLeaveOut,         ///< They are left out, as collisionAt() does (a robot on its table).
   kLeaveOutLasting,  ///< Those are left out that touch at joint positions all over the robot's ranges too.
+};
+
+/// A part of the robot and something of the cell near it.
+struct NearPair {
+  std::uint32_t pair = 0;  ///< For JointCheck::placed().
+  double distance = 0.0;   ///< m; 0 in contact.
+};
+
+/// Two shapes where they are, and who they are: "robot/link_4" and "fixture".
+struct PlacedPair {
+  std::shared_ptr<const collision::MeshCollider> a, b;
+  Pose X_WA, X_WB;
+  std::string first, second;
 };
 
 /// Exact contact checks of one robot (or mechanism) at many joint positions, each by itself: no motion between them is
@@ -43,6 +58,11 @@ class JointCheck {
   /// The least distance (m) between the entity's parts and the cell, up to `limit`; 0 in contact. Its links against each
   /// other do not count.
   double clearance(const std::vector<double>& joints, double limit);
+  /// All such pairs nearer than `limit`, with their distances, in no order; `near` is emptied first. What no joint moves
+  /// is not among them.
+  void nearer(const std::vector<double>& joints, double limit, std::vector<NearPair>& near);
+  /// One of these pairs at any joints.
+  PlacedPair placed(const std::vector<double>& joints, std::uint32_t pair);
   /// The first contact in words, "link_4 would touch Fixture"; empty if it is free.
   Text contactAt(const std::vector<double>& joints);
 

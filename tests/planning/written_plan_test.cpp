@@ -91,6 +91,97 @@ TEST(WrittenPlan, KeepsClearOfWhatTheRobotTouchesInTheCell) {
   EXPECT_LT(promises.list.front().measured, 0.05);
 }
 
+/// A bar that lies on a plate, flush or pressed in by `depth` (m), beside a wall.
+Made makeFromThePlate(double depth) {
+  Made made;
+  std::vector<workcell::Entity> entities{
+      test::loaded("box:0.2,0.04,0.04", 1, "bar", Pose::translation({0.0, 0.0, 0.02 - depth})),
+      test::loaded("box:1.0,1.0,0.1", 2, "plate", Pose::translation({0.0, 0.0, -0.05})),
+      test::loaded("box:0.02,1.0,0.3", 3, "wall", Pose::translation({0.25, 0.0, 0.15}))};
+  made.problem.scene = manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+  made.problem.entity = 1;
+  made.problem.goal = goal::ToPose{Pose::translation({0.5, 0.0, 0.02})};  // On the plate again, behind the wall.
+  made.problem.leaves_contact = true;
+  return made;
+}
+
+TEST(WrittenPlan, LeavesAndReachesContacts) {
+  for (const double depth : {0.0, 8e-4}) {
+    Made made = makeFromThePlate(depth);
+    const auto space = FreeSpace::create(made.problem.scene, 1, {});
+    const auto result = plan(made.problem, *space);
+    ASSERT_TRUE(result && result->isSolved()) << english(result->failure->reason);
+    made.plan = *result->plan;
+    made.motion = *timedMotion(made.plan, *space);
+    const auto folder = ScratchFolder::make();
+    const auto file = folder->path() / "plan.htraj";
+    ASSERT_TRUE(workcell::writeFileAtomically(file, trajectory::toJsonText(made.motion)));
+    const auto check = checkWrittenPlan(file, made.plan, made.problem.clearance, made.problem.scene, 1);
+    ASSERT_TRUE(check);
+    EXPECT_TRUE(check->promises.areKept()) << check->promises.missed("plan").message();
+    EXPECT_GE(check->promises.list.front().measured, made.problem.clearance - 1e-6);
+    ASSERT_EQ(check->tight.size(), 2u);
+    const TightPair &left = check->tight.front(), &reached = check->tight.back();
+    EXPECT_EQ(left.moved + left.met, "barplate");
+    EXPECT_NEAR(left.gap, -depth, 1e-5);
+    EXPECT_TRUE(!left.is_reached && reached.is_reached);
+    // By the height of the bar's under side, which the file has: clear in between, and only so.
+    double high = -1.0;
+    for (std::size_t i = 0; i < made.motion.size(); ++i) {
+      const double height = made.motion[i].X_WT.p.z - 0.02;
+      const bool is_flat = made.motion[i].X_WT.q.w > 1.0 - 1e-9;
+      const bool is_between = made.motion[i].t > left.t && made.motion[i].t < reached.t;
+      EXPECT_TRUE(!is_between || !is_flat || height > 0.004);
+      if (made.motion[i].t > left.t) continue;
+      EXPECT_GT(height, high - 1e-4);
+      high = std::max(high, height);
+    }
+    EXPECT_GT(left.t, 0.0);
+    EXPECT_LT(left.t, reached.t);
+  }
+}
+
+TEST(WrittenPlan, RefusesWhatIsTooDeep) {
+  Made made = makeFromThePlate(2e-3);
+  const auto result = plan(made.problem);
+  ASSERT_TRUE(result);
+  ASSERT_FALSE(result->isSolved());
+  EXPECT_EQ(result->failure->kind, Failure::Kind::kStart);
+  const std::string reason = english(result->failure->reason);
+  EXPECT_NE(reason.find("bar is 2 mm deep in plate"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("move bar out of it"), std::string::npos) << reason;
+}
+
+/// Along the plate, into it on the way, and never clear: the check finds each, whatever the plan claims.
+TEST(WrittenPlan, FindsAContactThatIsNotLeft) {
+  Made made = makeFromThePlate(0.0);
+  made.plan.leaves_contact = true;
+  const auto motionOf = [&](std::vector<dvec3> places) {
+    made.motion = {};
+    made.motion.entity = "bar";
+    made.motion.moved = "self_origin";
+    made.plan.waypoints.clear();
+    for (const dvec3& p_W : places) {
+      trajectory::Trajectory::Frame frame;
+      frame.t = static_cast<double>(made.motion.size());
+      frame.X_WT = Pose::translation(p_W);
+      made.motion.addFrame(frame, {});
+      made.plan.waypoints.push_back({frame.X_WT, {}});
+    }
+    return measured(made, made.motion);
+  };
+  EXPECT_TRUE(motionOf({{0.0, 0.0, 0.02}, {0.0, 0.0, 0.1}}).areKept());
+  const Promises along = motionOf({{0.0, 0.0, 0.02}, {-0.2, 0.0, 0.02}, {-0.2, 0.0, 0.1}});
+  ASSERT_FALSE(along.areKept());
+  EXPECT_NE(along.missed("plan").message().find("bar touches plate"), std::string::npos) << along.missed("p").message();
+  EXPECT_EQ(along.missed("plan").message().find("allow-miss"), std::string::npos);
+  const Promises into = motionOf({{0.0, 0.0, 0.02}, {0.0, 0.0, 0.0195}, {0.0, 0.0, 0.1}});
+  ASSERT_FALSE(into.areKept());
+  EXPECT_EQ(into.worst()->name, "closing") << into.missed("plan").message();
+  EXPECT_NEAR(into.worst()->measured, 5e-4, 1e-5);
+  EXPECT_FALSE(motionOf({{0.0, 0.0, 0.02}, {0.0, 0.0, 0.1}, {0.0, 0.0, 0.023}, {0.0, 0.0, 0.2}}).areKept());
+}
+
 /// The straight way leads through the wall: the check says so, whatever the plan claims.
 TEST(WrittenPlan, FindsAMotionThroughTheWall) {
   Made made = makeAroundTheWall();

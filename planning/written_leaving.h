@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planning/written_plan.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::planning {
+
+/// Of a motion, judged by LeavingRule.
+struct Leaving {
+  std::vector<TightPair> tight{};
+  double least = 0.0, t_least = 0.0;      ///< Least gap (m, up to the look) of all that is not being left or reached.
+  double deepest = 0.0, closing = 0.0;    ///< m; see checkWrittenPlan().
+  Text where_deepest{}, where_closing{};  ///< The pairs.
+};
+
+struct LeavingLook {
+  double clearance = 0.0;  ///< m
+  double look = 0.05;      ///< m: larger gaps are not measured.
+};
+
+/// Measures the gaps of all pairs of a robot's (columns: its joints) or a solid's parts with the cell at all frames.
+/// Shares the rule's numbers with the code that plans, and nothing else. Errors: those of JointCheck and HeldEntity.
+Expected<Leaving> measuredLeaving(const trajectory::Trajectory& fine, const std::vector<std::size_t>& columns,
+                                  const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                  const workcell::Entity& entity, const LeavingLook& look,
+                                  const config::Configuration& configuration);
+
+}  // namespace hapticell::planning
