@@ -13,6 +13,7 @@
 #include "geometry/shapes/edge_uses.h"
 #include "geometry/shapes/half_edge_counts.h"
 #include "geometry/system/in_parallel.h"
+#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -34,7 +35,10 @@ std::uint32_t before(std::uint32_t corner) {
 /// Trees of numbers that belong together; the root is the least of them.
 class Groups {
  public:
-  explicit Groups(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
+  explicit Groups(std::size_t count) {
+    resizeLarge(root_, count);
+    std::iota(root_.begin(), root_.end(), 0u);
+  }
   std::uint32_t find(std::uint32_t k) {
     while (root_[k] != k) k = root_[k] = root_[root_[k]];
     return k;
@@ -53,7 +57,8 @@ class Groups {
 class Surface {
  public:
   Surface(const TriangleMesh& mesh, std::span<const Triangle> triangles)
-      : mesh_(mesh), triangles_(triangles), opposite_(3 * triangles.size(), kBorder), odd_(mesh.vertices.size(), 0) {
+      : mesh_(mesh), triangles_(triangles), odd_(mesh.vertices.size(), 0) {
+    resizeLarge(opposite_, 3 * triangles.size(), kBorder);
     pairCorners();
     findFans();
   }
@@ -69,9 +74,18 @@ class Surface {
       counts = halfEdgeCounts(mesh_, others);
     }
     counts.closed = closed_ && !triangles_.empty();
-    countEdges(plain, counts);
-    countBorders(plain, counts);
-    countShells(plain, counts);
+    // Each writes counts of its own.
+    inRanges(2, rangesOf(triangles_.size(), kLeastVertices) > 1 ? 2 : 1,
+             [&](std::size_t, std::size_t first, std::size_t last) {
+               for (std::size_t work = first; work < last; ++work) {
+                 if (work == 0) {
+                   countShells(plain, counts);
+                 } else {
+                   countEdges(plain, counts);
+                   countBorders(plain, counts);
+                 }
+               }
+             });
     return counts;
   }
 
@@ -103,8 +117,9 @@ class Surface {
 
   /// Marks vertices that more than one ring or fan of triangles surrounds, and those of irregular edges.
   void findFans() {
-    start_.assign(odd_.size(), kBorder);
-    std::vector<std::uint32_t> valence(odd_.size(), 0);
+    resizeLarge(start_, odd_.size(), kBorder);
+    std::vector<std::uint32_t> valence;
+    resizeLarge(valence, odd_.size());
     for (std::uint32_t corner = 0; corner < opposite_.size(); ++corner) {
       const std::uint32_t v = vertexAt(corner);
       ++valence[v];

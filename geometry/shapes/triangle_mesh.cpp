@@ -7,6 +7,7 @@
 
 #include "geometry/shapes/vertex_merge.h"
 #include "geometry/system/in_parallel.h"
+#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -49,7 +50,9 @@ void markRepeated(const TriangleMesh& mesh, std::span<std::uint32_t> numbers, st
 /// Drops triangles that an earlier one equals, and says how many.
 std::uint32_t dropDuplicates(TriangleMesh& mesh) {
   const std::size_t count = mesh.triangles.size(), vertices = mesh.vertices.size();
-  std::vector<std::uint32_t> begin(vertices + 1, 0), numbers(count);
+  std::vector<std::uint32_t> begin, numbers;
+  resizeLarge(begin, vertices + 1);
+  resizeLarge(numbers, count);
   const auto smallest = [&](std::size_t number) {
     const Triangle& t = mesh.triangles[number];
     return std::min({t[0], t[1], t[2]});
@@ -74,8 +77,22 @@ std::uint32_t dropDuplicates(TriangleMesh& mesh) {
   return static_cast<std::uint32_t>(count - kept);
 }
 
+/// Each vertex is used, and its first use is behind those of all before it.
+bool isInOrderOfUse(const TriangleMesh& mesh) {
+  std::uint32_t next = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t index : t) {
+      if (index > next) return false;
+      next += index == next ? 1u : 0u;
+    }
+  }
+  return next == mesh.vertices.size();
+}
+
 void dropUnusedVertices(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> renamed(mesh.vertices.size(), kUnused);
+  if (isInOrderOfUse(mesh)) return;
+  std::vector<std::uint32_t> renamed;
+  resizeLarge(renamed, mesh.vertices.size(), kUnused);
   std::vector<dvec3> kept;
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& index : t) {
@@ -87,6 +104,37 @@ void dropUnusedVertices(TriangleMesh& mesh) {
     }
   }
   mesh.vertices = std::move(kept);
+}
+
+/// Gives each triangle the corners that its own are the same as, drops those without area and says how many.
+std::uint32_t renameCorners(TriangleMesh& mesh, const std::vector<std::uint32_t>& same_as) {
+  // Triangles for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 50'000;
+  const std::size_t count = mesh.triangles.size();
+  struct Kept {
+    std::size_t first = 0, count = 0;
+  };
+  std::vector<Kept> of_ranges(rangesOf(count, kLeast));
+  inRanges(count, of_ranges.size(), [&](std::size_t range, std::size_t first, std::size_t last) {
+    std::size_t place = first;
+    for (std::size_t k = first; k < last; ++k) {
+      Triangle t = mesh.triangles[k];
+      for (std::uint32_t& index : t) index = same_as[index];
+      if (!isDegenerate(mesh, t)) mesh.triangles[place++] = t;
+    }
+    of_ranges[range] = {first, place - first};
+  });
+  std::size_t kept = 0;
+  for (const Kept& range : of_ranges) {
+    const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(range.first);
+    if (kept != range.first) {
+      std::copy(begin, begin + static_cast<std::ptrdiff_t>(range.count),
+                mesh.triangles.begin() + static_cast<std::ptrdiff_t>(kept));
+    }
+    kept += range.count;
+  }
+  mesh.triangles.resize(kept);
+  return static_cast<std::uint32_t>(count - kept);
 }
 
 }  // namespace
@@ -107,16 +155,7 @@ WeldReport weld(TriangleMesh& mesh, double tolerance) {
   WeldReport report;
   {
     const std::vector<std::uint32_t> same_as = mergedVertices(mesh.vertices, tolerance, &report.merged_vertices);
-    std::size_t kept = 0;
-    for (Triangle t : mesh.triangles) {
-      for (std::uint32_t& index : t) index = same_as[index];
-      if (isDegenerate(mesh, t)) {
-        ++report.degenerate_triangles;
-      } else {
-        mesh.triangles[kept++] = t;
-      }
-    }
-    mesh.triangles.resize(kept);
+    report.degenerate_triangles = renameCorners(mesh, same_as);
   }
   report.duplicate_triangles = dropDuplicates(mesh);
   dropUnusedVertices(mesh);

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/shapes/bounds.h"
+#include "geometry/shapes/crowded_vertices.h"
+#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -100,10 +103,8 @@ class VertexGrid {
   std::vector<std::uint32_t> next_;
 };
 
-}  // namespace
-
-std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, double tolerance,
-                                          std::uint32_t* merged) {
+/// In their order, each against those kept before it.
+std::vector<std::uint32_t> mergedInTurn(const std::vector<dvec3>& vertices, double tolerance, std::uint32_t& merged) {
   const Bounds box = boundsOf(vertices);
   const dvec3 largest = box.isEmpty() ? dvec3(0.0) : glm::max(glm::abs(box.min), glm::abs(box.max));
   // Cells of some tolerances; not so small that their number would not fit an integer. Half: more vertices look into
@@ -114,17 +115,44 @@ std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, do
   constexpr std::uint32_t kAhead = 12;
   VertexGrid grid(vertices, tolerance, size);
   std::vector<std::uint32_t> result(vertices.size());
-  std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     if (i + kAhead < vertices.size()) grid.expect(i + kAhead);
     const std::uint32_t found = grid.find(i);
     if (found == kNoVertex) {
       grid.keep(i);
     } else {
-      ++count;
+      ++merged;
     }
     result[i] = found == kNoVertex ? i : found;
   }
+  return result;
+}
+
+/// As mergedInTurn(): vertices that have no other one near are kept and decide about none, so only the rest has to wait
+/// its turn.
+std::vector<std::uint32_t> mergedWhereCrowded(const std::vector<dvec3>& vertices, double tolerance,
+                                              std::uint32_t& merged) {
+  const std::vector<std::uint32_t> crowded = crowdedVertices(vertices, tolerance);
+  std::vector<dvec3> places;
+  reserveLarge(places, crowded.size());
+  for (const std::uint32_t v : crowded) places.push_back(vertices[v]);
+  const std::vector<std::uint32_t> same = mergedInTurn(places, tolerance, merged);
+  std::vector<std::uint32_t> result;
+  resizeLarge(result, vertices.size());
+  std::iota(result.begin(), result.end(), 0u);
+  for (std::size_t k = 0; k < crowded.size(); ++k) result[crowded[k]] = crowded[same[k]];
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, double tolerance,
+                                          std::uint32_t* merged) {
+  // Vertices from which on looking for crowds first is quicker. Half, twice: no effect.
+  constexpr std::size_t kMany = 20'000;
+  std::uint32_t count = 0;
+  auto result = vertices.size() < kMany ? mergedInTurn(vertices, tolerance, count)
+                                        : mergedWhereCrowded(vertices, tolerance, count);
   if (merged) *merged = count;
   return result;
 }

@@ -6,9 +6,13 @@
 #include <bit>
 #include <cstring>
 
+#include "geometry/system/large_pages.h"
+
 namespace hapticell::workcell {
 
 namespace {
+
+constexpr std::size_t kFewest = 1024;  // Slots. Half, twice: no effect.
 
 std::uint32_t hashOf(const dvec3& p) {
   std::uint64_t hash = 0;
@@ -22,6 +26,13 @@ bool hasSameBits(const dvec3& a, const dvec3& b) {
 
 }  // namespace
 
+void SharedCorners::reserve(std::size_t vertices) {
+  geometry::reserveLarge(vertices_, vertices);
+  std::size_t slots = std::max(kFewest, slots_.size());
+  while (slots < 2 * vertices) slots *= 2;
+  if (slots > slots_.size()) resize(slots);
+}
+
 std::uint32_t SharedCorners::add(const dvec3& p) {
   return addHashed(p, hashOf(p));
 }
@@ -32,7 +43,7 @@ void SharedCorners::add(std::span<const dvec3> points, std::uint32_t* numbers) {
   std::array<std::uint32_t, kBatch> hashes{};
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
     const std::size_t count = std::min(kBatch, points.size() - begin);
-    if (slots_.empty()) grow();
+    if (slots_.empty()) resize(kFewest);
     for (std::size_t k = 0; k < count; ++k) {
       hashes[k] = hashOf(points[begin + k]);
       __builtin_prefetch(&slots_[hashes[k] & mask_]);
@@ -46,7 +57,7 @@ void SharedCorners::add(std::span<const dvec3> points, std::uint32_t* numbers) {
 }
 
 std::uint32_t SharedCorners::addHashed(const dvec3& p, std::uint32_t hash) {
-  if (2 * vertices_.size() >= slots_.size()) grow();
+  if (2 * vertices_.size() >= slots_.size()) resize(std::max(kFewest, 2 * slots_.size()));
   std::size_t place = hash & mask_;
   while (slots_[place].vertex != kFree) {
     const Slot& slot = slots_[place];
@@ -59,8 +70,9 @@ std::uint32_t SharedCorners::addHashed(const dvec3& p, std::uint32_t hash) {
   return number;
 }
 
-void SharedCorners::grow() {
-  std::vector<Slot> old(std::max<std::size_t>(1024, 2 * slots_.size()));
+void SharedCorners::resize(std::size_t slots) {
+  std::vector<Slot> old;
+  geometry::resizeLarge(old, slots);
   old.swap(slots_);
   mask_ = slots_.size() - 1;
   for (const Slot& slot : old) {

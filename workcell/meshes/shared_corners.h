@@ -15,7 +15,8 @@ namespace hapticell::workcell {
 /// first corners. A tenth of a soup's memory, and welding finds the same.
 class SharedCorners {
  public:
-  void reserve(std::size_t vertices) { vertices_.reserve(vertices); }
+  /// Makes room for that many vertices, so that fewer cost nothing beside their own.
+  void reserve(std::size_t vertices);
   /// The number of the vertex at p.
   std::uint32_t add(const dvec3& p);
   /// The same for many, in a fraction of the time: what they need of the memory is fetched beforehand.
@@ -31,7 +32,7 @@ class SharedCorners {
   static constexpr std::uint32_t kFree = 0xFFFFFFFFu;
 
   std::uint32_t addHashed(const dvec3& p, std::uint32_t hash);
-  void grow();
+  void resize(std::size_t slots);
 
   std::vector<dvec3> vertices_;
   std::vector<Slot> slots_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/system/in_parallel.h"
+#include "geometry/system/large_pages.h"
 #include "geometry/system/text_case.h"
 #include "workcell/meshes/byte_source.h"
 #include "workcell/meshes/mesh_formats.h"
@@ -61,7 +62,7 @@ Expected<geometry::Triangle> readFacet(TextCursor& cursor, SharedCorners& corner
 
 /// Triangles [begin, end) of a binary STL, or the first of them with an unusable coordinate.
 struct BinaryRange {
-  std::vector<geometry::Triangle> triangles;
+  std::span<geometry::Triangle> triangles;  ///< Where they go.
   SharedCorners corners;
   std::optional<std::pair<std::size_t, dvec3>> unusable;
 
@@ -69,7 +70,6 @@ struct BinaryRange {
     // Triangles in one go. Half, twice: no effect.
     constexpr std::size_t kBatch = 64;
     std::array<dvec3, 3 * kBatch> points;
-    triangles.resize(end - begin);
     corners.reserve((end - begin) / 2 + 16);  // As many vertices has a closed surface.
     for (std::size_t first = begin; first < end; first += kBatch) {
       const std::size_t count = std::min(kBatch, end - first);
@@ -90,16 +90,22 @@ struct BinaryRange {
   }
 };
 
-/// Appends what stands behind it in the file.
-void append(BinaryRange& whole, BinaryRange& next) {
-  const std::vector<dvec3>& vertices = next.corners.vertices();
-  std::vector<std::uint32_t> numbers(vertices.size());
-  whole.corners.add(vertices, numbers.data());
-  whole.triangles.reserve(whole.triangles.size() + next.triangles.size());
-  for (const geometry::Triangle& t : next.triangles) {
-    whole.triangles.push_back({numbers[t[0]], numbers[t[1]], numbers[t[2]]});
+/// Appends the vertices of what stands behind it in the file, and gives its triangles their numbers.
+void append(SharedCorners& whole, BinaryRange& next, std::size_t least) {
+  std::vector<std::uint32_t> numbers;
+  {
+    const std::vector<dvec3> vertices = next.corners.take();
+    next.corners = {};
+    geometry::resizeLarge(numbers, vertices.size());
+    whole.add(vertices, numbers.data());
   }
-  next = {};
+  const std::span<geometry::Triangle> triangles = next.triangles;
+  geometry::inRanges(triangles.size(), geometry::rangesOf(triangles.size(), least),
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (geometry::Triangle& t : triangles.subspan(begin, end - begin)) {
+                         t = {numbers[t[0]], numbers[t[1]], numbers[t[2]]};
+                       }
+                     });
 }
 
 }  // namespace
@@ -165,16 +171,17 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   // Triangles for a thread to be worth it. Half, twice: no effect.
   constexpr std::size_t kLeast = 50'000;
   std::vector<BinaryRange> ranges(geometry::rangesOf(count, kLeast));
+  geometry::resizeLarge(raw.mesh.triangles, count);
   geometry::inRanges(count, ranges.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    ranges[range].triangles = std::span(raw.mesh.triangles).subspan(begin, end - begin);
     ranges[range].read(content, begin, end);
   });
   for (BinaryRange& range : ranges) {
     if (range.unusable) {
       return makeError(unusableCoordinate(triangleOf(range.unusable->first, count), range.unusable->second));
     }
-    if (&range != &ranges.front()) append(ranges.front(), range);
+    if (&range != &ranges.front()) append(ranges.front().corners, range, kLeast);
   }
-  raw.mesh.triangles = std::move(ranges.front().triangles);
   raw.mesh.vertices = ranges.front().corners.take();
   return raw;
 }

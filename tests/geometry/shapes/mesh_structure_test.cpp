@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Welding, closedness and connection of random meshes, by the tables of this folder and by plain maps and OpenMesh.
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <array>
@@ -33,10 +34,33 @@ std::vector<std::uint32_t> mergedByAllPairs(const std::vector<dvec3>& vertices, 
   return result;
 }
 
+/// The same for many: each vertex against the kept ones of the 27 cells around it, which are as large as the tolerance.
+std::vector<std::uint32_t> mergedByCells(const std::vector<dvec3>& vertices, double tolerance) {
+  const double size = std::max(1.0001 * tolerance, 1e-9);
+  std::map<std::array<std::int64_t, 3>, std::vector<std::uint32_t>> kept;
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    std::array<std::int64_t, 3> cell;
+    for (int k = 0; k < 3; ++k) cell[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(vertices[i][k] / size));
+    std::uint32_t found = i;
+    for (std::int64_t n = 0; n < 27; ++n) {
+      const auto near = kept.find({cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1});
+      if (near == kept.end()) continue;
+      for (const std::uint32_t j : near->second) {
+        if (glm::distance(vertices[i], vertices[j]) <= tolerance) found = std::min(found, j);
+      }
+    }
+    if (found == i) kept[cell].push_back(i);
+    result.push_back(found);
+  }
+  return result;
+}
+
 /// weld() as it was with sets.
 WeldReport weldedBySets(TriangleMesh& mesh, double tolerance) {
   WeldReport report;
-  const std::vector<std::uint32_t> same = mergedByAllPairs(mesh.vertices, tolerance);
+  const std::vector<std::uint32_t> same =
+      mesh.vertices.size() < 5000 ? mergedByAllPairs(mesh.vertices, tolerance) : mergedByCells(mesh.vertices, tolerance);
   for (std::uint32_t i = 0; i < same.size(); ++i) report.merged_vertices += same[i] != i ? 1u : 0u;
   std::set<Triangle> seen;
   TriangleMesh result;
@@ -151,6 +175,37 @@ TEST(MeshStructure, MergedVerticesEqualAllPairsWhereTheyCrowd) {
   }
 }
 
+/// Loose points, with some near another one, and some in clumps of one place.
+std::vector<dvec3> manyPoints(std::mt19937& random, double tolerance, double away) {
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::vector<dvec3> vertices(25'000);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const dvec3 p(place(random), place(random), place(random));
+    const std::size_t other = k == 0 ? 0 : random() % k;
+    vertices[k] = dvec3(away, 0.0, 0.0) + p;
+    if (k > 0 && k % 5 == 0) vertices[k] = vertices[other] + tolerance * p;
+    if (k > 0 && k % 50 == 0) vertices[k] = vertices[0] + 3.0 * tolerance * p;
+    if (k > 0 && k % 70 == 0) vertices[k] = vertices[other];
+  }
+  return vertices;
+}
+
+TEST(MeshStructure, MergedVerticesOfManyEqualThoseByCells) {
+  std::mt19937 random(13);
+  for (const double tolerance : {0.0, 1e-9, 1e-6, 1e-3, 0.02}) {
+    for (const double away : {0.0, 1000.0}) {
+      const std::vector<dvec3> vertices = manyPoints(random, tolerance, away);
+      std::uint32_t merged = 0;
+      const std::vector<std::uint32_t> same = mergedVertices(vertices, tolerance, &merged);
+      EXPECT_EQ(same, mergedByCells(vertices, tolerance)) << tolerance << ", " << away;
+      std::uint32_t wanted = 0;
+      for (std::uint32_t k = 0; k < same.size(); ++k) wanted += same[k] != k ? 1u : 0u;
+      EXPECT_EQ(merged, wanted);
+      EXPECT_GT(merged, 300u);
+    }
+  }
+}
+
 TEST(MeshStructure, ManyTrianglesAtOneVertexAreSorted) {
   TriangleMesh fan;
   fan.vertices.push_back(dvec3(0.0));
@@ -213,6 +268,59 @@ TEST(MeshStructure, LargeMeshesOnSeveralThreadsToo) {
   EXPECT_EQ(topology.euler_characteristic, 2);
   EXPECT_EQ(topology.holes, 0u);
   EXPECT_TRUE(topology.closed);
+}
+
+/// Lets this thread, and those that it starts, run on one core only.
+class OneCore {
+ public:
+  OneCore() {
+    sched_getaffinity(0, sizeof all_, &all_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    for (std::size_t k = 0; k < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++k) {
+      if (CPU_ISSET(k, &all_)) CPU_SET(k, &one);
+    }
+    sched_setaffinity(0, sizeof one, &one);
+  }
+  ~OneCore() { sched_setaffinity(0, sizeof all_, &all_); }
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  cpu_set_t all_;
+};
+
+TEST(MeshStructure, DamagedLargeMeshesAreTheSameOnAnyNumberOfThreads) {
+  std::mt19937 random(17);
+  for (const bool damaged : {false, true}) {
+    TriangleMesh mesh = makeSphere(1.0, damaged ? 300 : 150);
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t k = 0; damaged && k < 1000; ++k) {
+      Triangle& t = mesh.triangles[random() % count];
+      if (k % 3 == 0) t[0] = t[1];
+      if (k % 3 == 1) mesh.triangles.push_back({t[1], t[2], t[0]});
+      if (k % 3 == 2) mesh.vertices[t[0]] = mesh.vertices[t[1]];
+    }
+    TriangleMesh on_one = damaged ? mesh : soupOf(mesh), wanted = on_one, on_all = on_one;
+    ASSERT_GT(on_one.vertices.size(), 40'000u);
+    const double tolerance = weldTolerance(mesh);
+    const WeldReport report = weld(on_all, tolerance), wanted_report = weldedBySets(wanted, tolerance);
+    const Topology topology = topologyOf(on_all);
+    const OneCore one_core;
+    EXPECT_EQ(weld(on_one, tolerance).degenerate_triangles, wanted_report.degenerate_triangles);
+    EXPECT_EQ(report.merged_vertices, wanted_report.merged_vertices);
+    EXPECT_EQ(report.degenerate_triangles, wanted_report.degenerate_triangles);
+    EXPECT_EQ(report.duplicate_triangles, wanted_report.duplicate_triangles);
+    EXPECT_EQ(report.duplicate_triangles > 0, damaged);
+    EXPECT_TRUE(on_all.triangles == wanted.triangles && on_all.vertices == wanted.vertices);
+    EXPECT_TRUE(on_one.triangles == wanted.triangles && on_one.vertices == wanted.vertices);
+    const Topology again = topologyOf(on_one);
+    EXPECT_EQ(again.euler_characteristic, topology.euler_characteristic);
+    EXPECT_EQ(again.holes, topology.holes);
+    EXPECT_EQ(again.shells, topology.shells);
+    EXPECT_EQ(again.least_volume_share, topology.least_volume_share);
+    EXPECT_EQ(topology.closed, closedByMap(wanted));
+  }
 }
 
 }  // namespace
