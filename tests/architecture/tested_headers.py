@@ -26,14 +26,14 @@ NOT_FUNCTIONS = {"alignas", "decltype", "defined", "explicit", "noexcept", "oper
 
 
 def statements(text):
-    """The declarations of `text` at namespace level, without what stands between their braces."""
+    """The declarations of `text` at namespace level, without what stands between their braces; a definition ends in {."""
     depth, begin, found = [], 0, []
     for at, letter in enumerate(text):
         if letter == "{":
             head = text[begin:at]
             is_namespace = re.search(r"\bnamespace\b[\w\s:]*$", head) or re.search(r"\bextern\s*$", head)
             if "body" not in depth and not is_namespace:
-                found.append(head)
+                found.append(head + "{")
             depth.append("namespace" if is_namespace else "body")
             begin = at + 1
         elif letter == "}":
@@ -52,9 +52,10 @@ def declared_names(text):
     text = STRING.sub("", COMMENT.sub("", text))
     names = set(MACRO.findall(text))
     for statement in statements(re.sub(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE)):
-        statement = statement.strip()
+        is_definition = statement.endswith("{")
+        statement = statement.removesuffix("{").strip()
         is_forward_declaration = re.fullmatch(r"(?:class|struct|enum(?: class)?)\s+\w+", statement)
-        if is_forward_declaration or statement.startswith("friend"):
+        if (is_forward_declaration and not is_definition) or statement.startswith("friend"):
             continue
         if alias := ALIAS.search(statement):
             names.add(alias[1])
@@ -98,6 +99,7 @@ namespace hapticell::a {
 class Elsewhere;
 /// using Commented = int;
 struct Box final : Base { int inside(int x); };
+struct Plain { int x = 0; };
 enum class Kind : unsigned { kOne, kTwo };
 using Row = int;
 inline constexpr double kLargest_m = 3.0;
@@ -105,7 +107,7 @@ inline constexpr double kLargest_m = 3.0;
 template <class T> T twice(T t) { helper(t); return t; }
 }
 """
-    assert declared_names(header) == {"A_MACRO", "Box", "Kind", "Row", "kLargest_m", "boxOf", "twice"}, declared_names(header)
+    assert declared_names(header) == {"A_MACRO", "Box", "Plain", "Kind", "Row", "kLargest_m", "boxOf", "twice"}, declared_names(header)
     headers = {"a/b/box.h": header}
     assert untested(headers, {}) == ["a/b/box.h"]
     assert untested(headers, {"tests/a/c/box_test.cpp": '#include "a/b/box.h"'}) == ["a/b/box.h"]

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "collision/queries/motion_check.h"
 #include "collision/queries/proximity_query.h"
 #include "tests/collision/queries/meshes.h"
+#include "collision/queries/triangle_gap.h"
 
 namespace hapticell::collision {
 namespace {
@@ -45,6 +49,24 @@ TEST(SweptCheck, UnknownBendProvesNothing) {
   EXPECT_TRUE(staysApart(*box, *box, {{}, {}, X_far, X_far, 0.0, 0.0}, 0.1));
   EXPECT_FALSE(staysApart(*box, *box, {{}, {}, X_far, X_far, 0.0, std::numeric_limits<double>::infinity()}, 0.1));
   EXPECT_FALSE(staysApart(*box, *box, {{}, {}, X_far, {}, 2.0, 0.0}, 0.1));
+}
+
+TEST(TriangleGap, AlongTheShortestWayIsTheDistanceAndAlongNoOtherMore) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto point = [&] { return dvec3(unit(random), unit(random), unit(random)); };
+  int apart = 0;
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 away = 1.5 * point();
+    const Corners a{point() + away, point() + away, point() + away}, b{point(), point(), point()};
+    const NearestPair nearest = triangleDistance(a, b);
+    const double distance = std::sqrt(nearest.squared);
+    EXPECT_LE(gapAlong(glm::normalize(point()), a, b), distance + 1e-12);
+    if (distance < 1e-3) continue;
+    ++apart;
+    EXPECT_NEAR(gapAlong((nearest.p - nearest.q) / distance, a, b), distance, 1e-9);
+  }
+  EXPECT_GT(apart, 50);
 }
 
 }  // namespace
