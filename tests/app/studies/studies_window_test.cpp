@@ -25,8 +25,7 @@ TEST(StudiesDock, TheWorkplaceSearchIsSavedAsAStudyAndOpened) {
   EXPECT_TRUE(page.words("labelMoves").contains("no mannequin")) << page.words("labelMoves").toStdString();
   const auto bench = config::findShippedFile("workcells/workbench.hcell");
   ASSERT_TRUE(bench.has_value());
-  ASSERT_TRUE(page.open(QString::fromStdString(bench->string())));
-  page.trigger("actionWorkplace");
+  ASSERT_TRUE(page.open(QString::fromStdString(*bench)));
   auto* stations = page.find<QListWidget>("listStation");
   ASSERT_GT(stations->count(), 0);
   stations->item(0)->setCheckState(Qt::Checked);
