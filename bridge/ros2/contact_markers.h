@@ -38,7 +38,7 @@ class ContactMarkers {
   /// The markers of `t` (s of the motion): those in contact are added or changed, those that were and are no more are
   /// deleted. Null: nothing to say. Valid until the next call.
   const visualization_msgs_msg_dds__MarkerArray_* update(std::int64_t stamp_ns, double t);
-  /// Deletes all; null: there are none.
+  /// Deletes all markers. Null: nothing is shown.
   const visualization_msgs_msg_dds__MarkerArray_* clear(std::int64_t stamp_ns);
 
  private:
