@@ -2,15 +2,41 @@
 #include "cli/kit/subcommand.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::cli {
+
+namespace {
+
+/// Decimal digits of a number that a T holds. CLI11 reads "-1" as a huge number where T has no sign, and "010" as 8.
+template <class T>
+CLI::Validator wholeNumber() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const bool has_sign = !text.empty() && (text[0] == '+' || (std::is_signed_v<T> && text[0] == '-'));
+        const bool whole = text.size() > (has_sign ? 1U : 0U) &&
+                           text.find_first_not_of("0123456789", has_sign ? 1 : 0) == std::string::npos;
+        if (!whole)
+          return "'" + text + "' found, a whole number " + (std::is_signed_v<T> ? "" : "from 0 ") + "expected";
+        T value{};
+        const char* const begin = text.data() + (text[0] == '+' ? 1 : 0);
+        if (std::from_chars(begin, text.data() + text.size(), value).ec != std::errc())
+          return "'" + text + "' found, a whole number nearer to 0 expected";
+        text = std::to_string(value);
+        return std::string();
+      },
+      "");
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -79,7 +105,10 @@ void Subcommand::mustGoOn() {
 
 template <class T>
 Option Subcommand::option(const std::string& names, T& value, const std::string& description) {
-  return Option(app_->add_option(names, value, description));
+  CLI::Option* const option = app_->add_option(names, value, description);
+  if constexpr (std::is_same_v<T, std::size_t>) option->transform(wholeNumber<std::size_t>());
+  if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::optional<int>>) option->transform(wholeNumber<int>());
+  return Option(option);
 }
 
 Option Subcommand::flag(const std::string& names, bool& value, const std::string& description) {

@@ -54,7 +54,8 @@ class Subcommand {
   /// Requires one of the sub-commands.
   void mustGoOn();
   /// `names`: "--long", "-s,--long", or a word without dashes for a positional argument. `value` does not change if the
-  /// option is not given, and must exist until the command has run. Allowed types T: end of subcommand.cpp.
+  /// option is not given, and must exist until the command has run. Whole numbers are decimal, and not below 0 for
+  /// std::size_t. Allowed types T: end of subcommand.cpp.
   template <class T>
   Option option(const std::string& names, T& value, const std::string& description);
   Option flag(const std::string& names, bool& value, const std::string& description);

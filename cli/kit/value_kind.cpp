@@ -22,7 +22,7 @@ std::span<const ValueWords> valueKinds() {
        {"htraj", "json", "csv", "yaml", "yml", "src", "mod", "modx", "prg", "ls", "script", "urscript", "jbi", "mcap"}},
       {ValueKind::kMcap, "MCAP", {"mcap"}},
       {ValueKind::kExercise, "EXERCISE", {"hexercise"}},
-      {ValueKind::kResults, "RESULTS", {"htrain"}},
+      {ValueKind::kTrainingResults, "TRAINING", {"htrain"}},
       {ValueKind::kStudy, "STUDY", {"hstudy"}},
       {ValueKind::kStudyResults, "RESULTS", {"hresults"}},
       {ValueKind::kTable, "CSV", {"csv"}},

@@ -18,7 +18,7 @@ enum class ValueKind {
   kMotion,
   kMcap,
   kExercise,
-  kResults,
+  kTrainingResults,
   kStudy,
   kStudyResults,
   kTable,
@@ -30,7 +30,7 @@ enum class ValueKind {
 /// Properties of a ValueKind.
 struct ValueWords {
   ValueKind kind;
-  std::string_view word;                  ///< As shown in the help: "WORKCELL".
+  std::string_view word;                  ///< As shown in the help, unique: "WORKCELL".
   std::vector<std::string_view> endings;  ///< File extensions without the dot; empty: any file.
   bool from_library = false;              ///< Also accepts "library:NAME".
 };

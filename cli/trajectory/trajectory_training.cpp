@@ -221,7 +221,7 @@ void addTrajectoryTraining(Subcommand command, Action& chosen) {
   sub.option("--scale", options->scale, "Motion in the cell divided by motion of the hand (1)");
   sub.option("--trainee", options->trainee, "Trainee name, for new results");
   sub.option("--results", options->results, "Results file of the trainee (.htrain), read and written")
-      .takes(ValueKind::kResults);
+      .takes(ValueKind::kTrainingResults);
   sub.option("--csv", options->csv, "Write all runs as a table").takes(ValueKind::kTable);
   sub.option("--date", options->date, "Date for the results, ISO 8601");
   sub.option("-o,--output", options->output, "Recording of the run to write").takes(ValueKind::kMotion);

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <functional>
 
+#include "cli/command_line.h"
 #include "cli/completion_scripts.h"
 #include "cli/grammar.h"
 #include "tests/cli/kit/kept_words.h"
@@ -106,6 +108,48 @@ TEST_F(SmallGrammarTest, IsToldAsData) {
   expectOption("--rise", {{"kind", "FLOAT"}, {"values", {3, 3}}, {"separator", ","}, {"description", "From, to, step"}});
   expectOption("--add", {{"kind", "TEXT"}, {"repeated", true}, {"separator", ""}});
   expectOption("--all", {{"kind", ""}, {"flag", true}, {"values", {0, 0}}});
+}
+
+TEST(ProgramGrammar, CompletesEachKindOfResultsByItsOwnFiles) {
+  const auto offered = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"hapticell-cli", "completion", "words"});
+    std::vector<char*> arguments;
+    for (const char* word : words) arguments.push_back(const_cast<char*>(word));
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(runCommandLine(static_cast<int>(arguments.size()), arguments.data()), 0);
+    return ::testing::internal::GetCapturedStdout();
+  };
+  EXPECT_EQ(offered({"trajectory", "train", "--results", ""}), ":files htrain\n");
+  EXPECT_EQ(offered({"study", "show", ""}), ":files hresults\n");
+}
+
+/// Calls `look` with the words that choose each command, and its options.
+void forEachCommand(const nlohmann::ordered_json& commands, const std::vector<std::string>& above,
+                    const std::function<void(const std::vector<std::string>&, const nlohmann::ordered_json&)>& look) {
+  for (const auto& command : commands) {
+    std::vector<std::string> words = above;
+    words.push_back(command["name"]);
+    look(words, command["options"]);
+    forEachCommand(command["commands"], words, look);
+  }
+}
+
+TEST(ProgramGrammar, NoCountOfAnyCommandTakesANegativeNumber) {
+  int counts = 0;
+  forEachCommand(commandGrammar(), {}, [&](std::vector<std::string> words, const nlohmann::ordered_json& options) {
+    for (const auto& option : options) {
+      if (option["kind"] != "UINT") continue;
+      ++counts;
+      const std::string name = option["name"];
+      std::vector<std::string> line = words;
+      line.push_back(name + "=-1");
+      test::KeptWords kept;
+      EXPECT_EQ(runCommand(line, kept), 2);
+      ASSERT_EQ(kept.errors.size(), 1U) << name;
+      EXPECT_THAT(kept.errors[0].message(), HasSubstr(name + ": '-1' found")) << words.back();
+    }
+  });
+  EXPECT_GE(counts, 5) << "those of trajectory edits at least";
 }
 
 TEST(CompletionScripts, AreThereForThreeShells) {

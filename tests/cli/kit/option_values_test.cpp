@@ -169,9 +169,11 @@ TEST(Timing, GivesTheNearestRanks) {
 
 TEST(ValueKinds, EachIsListedOnceAndItsEndingsHaveNoDot) {
   std::set<ValueKind> kinds;
+  std::set<std::string_view> words_so_far;
   for (const ValueWords& words : valueKinds()) {
     EXPECT_TRUE(kinds.insert(words.kind).second) << words.word;
     EXPECT_EQ(&wordsOf(words.kind), &words);
+    EXPECT_TRUE(words_so_far.insert(words.word).second) << words.word << ": completion knows a kind by its word";
     for (const char c : words.word) EXPECT_TRUE(c >= 'A' && c <= 'Z') << words.word;
     for (const std::string_view ending : words.endings)
       for (const char c : ending) EXPECT_TRUE((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) << ending;

@@ -83,6 +83,32 @@ TEST_F(SubcommandTest, WholeNumbersAndWordsAreThoseThatAreNamed) {
   EXPECT_THAT(refusal({"--language", "de"}), HasSubstr("--language"));
 }
 
+TEST_F(SubcommandTest, WholeNumbersAreDecimalAndCountsAreNotNegative) {
+  std::size_t first = 5;
+  int shift = 0;
+  std::optional<int> seed;
+  command_.option("--first", first, "");
+  command_.option("--shift", shift, "");
+  command_.option("--seed", seed, "");
+  EXPECT_EQ(refusal({"--first", "007", "--shift", "-12", "--seed=+010"}), "");
+  EXPECT_EQ(first, 7U);
+  EXPECT_EQ(shift, -12);
+  EXPECT_EQ(seed, 10) << "not octal";
+  EXPECT_EQ(refusal({"--first", "18446744073709551615"}), "");
+  EXPECT_EQ(first, 18446744073709551615U);
+  EXPECT_THAT(refusal({"--first", "-1"}), HasSubstr("--first: '-1' found, a whole number from 0 expected"));
+  for (const char* bad : {"-1", "-0", "1.5", "0x10", " 3", "one", "+", "+-1", "18446744073709551616"})
+    EXPECT_THAT(refusal({std::string("--first=") + bad}), HasSubstr("--first: '" + std::string(bad) + "'")) << bad;
+  for (const char* bad : {"1.5", "0x10", "-", "+-1", "2147483648", "-2147483649"}) {
+    EXPECT_THAT(refusal({std::string("--shift=") + bad}), HasSubstr("--shift: '" + std::string(bad) + "'")) << bad;
+    EXPECT_THAT(refusal({std::string("--seed=") + bad}), HasSubstr("--seed: '" + std::string(bad) + "'")) << bad;
+  }
+  for (const char* name : {"--first", "--shift", "--seed"})
+    EXPECT_THAT(refusal({std::string(name) + "="}), HasSubstr(name)) << "an empty word is no number";
+  EXPECT_EQ(first, 18446744073709551615U) << "refused words change nothing";
+  EXPECT_EQ(refusal({"--shift=-2147483648"}), "");
+}
+
 TEST_F(SubcommandTest, ListsAreSplitAndCounted) {
   std::vector<double> rise;
   std::vector<std::string> add, files;
