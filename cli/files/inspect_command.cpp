@@ -14,7 +14,6 @@
 #include "cli/kit/xacro_arguments.h"
 #include "geometry/shapes/mass_properties.h"
 #include "geometry/shapes/topology.h"
-#include "geometry/system/large_pages.h"
 #include "workcell/document/carried_load.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -68,10 +67,7 @@ std::vector<SolidFacts> warnAboutTriangles(const std::vector<workcell::MeshPart>
   std::vector<SolidFacts> facts;
   std::vector<const geometry::TriangleMesh*> unclear;
   for (const workcell::MeshPart& part : parts) {
-    geometry::TriangleMesh welded;
-    geometry::reserveLarge(welded.vertices, part.mesh.vertices.size());
-    geometry::reserveLarge(welded.triangles, part.mesh.triangles.size());
-    welded = part.mesh;
+    geometry::TriangleMesh welded = part.mesh;
     const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
     const geometry::Topology topology = geometry::topologyOf(welded);
     degenerate += dropped.degenerate_triangles;

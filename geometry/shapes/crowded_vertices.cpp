@@ -10,7 +10,6 @@
 
 #include "geometry/shapes/bounds.h"
 #include "geometry/system/in_parallel.h"
-#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -59,7 +58,7 @@ class Visits {
 
   std::vector<std::uint32_t> crowded() const {
     std::vector<std::uint8_t> marks;
-    resizeLarge(marks, vertices_.size());
+    marks.resize(vertices_.size());
     inRanges(kParts, rangesOf(vertices_.size(), kLeast), [&](std::size_t, std::size_t first, std::size_t last) {
       Chains chains;
       for (std::size_t part = first; part < last; ++part) {
@@ -99,7 +98,7 @@ class Visits {
       }
     }
     begin_[kParts] = sum;
-    resizeLarge(visits_, sum);
+    visits_.resize(sum);
     inRanges(vertices_.size(), ranges, [&](std::size_t range, std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         eachCell(v, [&](std::uint64_t hash) {

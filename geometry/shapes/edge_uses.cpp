@@ -5,7 +5,6 @@
 
 #include "geometry/system/assertion.h"
 #include "geometry/system/in_parallel.h"
-#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -33,7 +32,7 @@ void sortFew(std::span<Use> uses) {
 }  // namespace
 
 EdgeUses::EdgeUses(std::span<const Triangle> triangles, std::size_t vertices) {
-  resizeLarge(begin_, vertices + 1);
+  begin_.resize(vertices + 1);
   constexpr std::size_t kMost = 700'000'000;
   HAPTICELL_DEMAND(triangles.size() <= kMost);
   for (const Triangle& t : triangles) {
@@ -44,7 +43,7 @@ EdgeUses::EdgeUses(std::span<const Triangle> triangles, std::size_t vertices) {
   }
   std::uint32_t sum = 0;  // Each place becomes the end of its uses, from where they are filled in backwards.
   for (std::uint32_t& place : begin_) place = sum += place;
-  resizeLarge(uses_, sum);
+  uses_.resize(sum);
   for (std::size_t corner = 3 * triangles.size(); corner-- > 0;) {
     const Triangle& t = triangles[corner / 3];
     const std::size_t k = corner % 3;

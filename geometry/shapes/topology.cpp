@@ -13,7 +13,6 @@
 #include "geometry/shapes/edge_uses.h"
 #include "geometry/shapes/half_edge_counts.h"
 #include "geometry/system/in_parallel.h"
-#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -35,10 +34,7 @@ std::uint32_t before(std::uint32_t corner) {
 /// Trees of numbers that belong together; the root is the least of them.
 class Groups {
  public:
-  explicit Groups(std::size_t count) {
-    resizeLarge(root_, count);
-    std::iota(root_.begin(), root_.end(), 0u);
-  }
+  explicit Groups(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
   std::uint32_t find(std::uint32_t k) {
     while (root_[k] != k) k = root_[k] = root_[root_[k]];
     return k;
@@ -58,7 +54,7 @@ class Surface {
  public:
   Surface(const TriangleMesh& mesh, std::span<const Triangle> triangles)
       : mesh_(mesh), triangles_(triangles), odd_(mesh.vertices.size(), 0) {
-    resizeLarge(opposite_, 3 * triangles.size(), kBorder);
+    opposite_.resize(3 * triangles.size(), kBorder);
     pairCorners();
     findFans();
   }
@@ -117,9 +113,9 @@ class Surface {
 
   /// Marks vertices that more than one ring or fan of triangles surrounds, and those of irregular edges.
   void findFans() {
-    resizeLarge(start_, odd_.size(), kBorder);
+    start_.resize(odd_.size(), kBorder);
     std::vector<std::uint32_t> valence;
-    resizeLarge(valence, odd_.size());
+    valence.resize(odd_.size());
     for (std::uint32_t corner = 0; corner < opposite_.size(); ++corner) {
       const std::uint32_t v = vertexAt(corner);
       ++valence[v];

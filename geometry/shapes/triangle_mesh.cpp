@@ -7,7 +7,6 @@
 
 #include "geometry/shapes/vertex_merge.h"
 #include "geometry/system/in_parallel.h"
-#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -51,8 +50,8 @@ void markRepeated(const TriangleMesh& mesh, std::span<std::uint32_t> numbers, st
 std::uint32_t dropDuplicates(TriangleMesh& mesh) {
   const std::size_t count = mesh.triangles.size(), vertices = mesh.vertices.size();
   std::vector<std::uint32_t> begin, numbers;
-  resizeLarge(begin, vertices + 1);
-  resizeLarge(numbers, count);
+  begin.resize(vertices + 1);
+  numbers.resize(count);
   const auto smallest = [&](std::size_t number) {
     const Triangle& t = mesh.triangles[number];
     return std::min({t[0], t[1], t[2]});
@@ -92,7 +91,7 @@ bool isInOrderOfUse(const TriangleMesh& mesh) {
 void dropUnusedVertices(TriangleMesh& mesh) {
   if (isInOrderOfUse(mesh)) return;
   std::vector<std::uint32_t> renamed;
-  resizeLarge(renamed, mesh.vertices.size(), kUnused);
+  renamed.resize(mesh.vertices.size(), kUnused);
   std::vector<dvec3> kept;
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& index : t) {

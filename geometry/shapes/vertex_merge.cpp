@@ -8,7 +8,6 @@
 
 #include "geometry/shapes/bounds.h"
 #include "geometry/shapes/crowded_vertices.h"
-#include "geometry/system/large_pages.h"
 
 namespace hapticell::geometry {
 
@@ -134,11 +133,11 @@ std::vector<std::uint32_t> mergedWhereCrowded(const std::vector<dvec3>& vertices
                                               std::uint32_t& merged) {
   const std::vector<std::uint32_t> crowded = crowdedVertices(vertices, tolerance);
   std::vector<dvec3> places;
-  reserveLarge(places, crowded.size());
+  places.reserve(crowded.size());
   for (const std::uint32_t v : crowded) places.push_back(vertices[v]);
   const std::vector<std::uint32_t> same = mergedInTurn(places, tolerance, merged);
   std::vector<std::uint32_t> result;
-  resizeLarge(result, vertices.size());
+  result.resize(vertices.size());
   std::iota(result.begin(), result.end(), 0u);
   for (std::size_t k = 0; k < crowded.size(); ++k) result[crowded[k]] = crowded[same[k]];
   return result;

@@ -12,8 +12,6 @@
 #include <optional>
 #include <streambuf>
 
-#include "geometry/system/large_pages.h"
-
 namespace hapticell::geometry {
 
 namespace fs = std::filesystem;
@@ -89,8 +87,7 @@ Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes)
 Expected<std::string> readRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
   const auto file = openFile(path, most_bytes);
   HAPTICELL_TRY(file);
-  std::string content;
-  resizeLarge(content, file->size);
+  std::string content(file->size, '\0');
   const std::size_t have = readUpTo(file->descriptor, content.data(), content.size());
   ::close(file->descriptor);
   if (have == content.size()) return content;

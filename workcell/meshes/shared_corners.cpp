@@ -6,8 +6,6 @@
 #include <bit>
 #include <cstring>
 
-#include "geometry/system/large_pages.h"
-
 namespace hapticell::workcell {
 
 namespace {
@@ -27,7 +25,7 @@ bool hasSameBits(const dvec3& a, const dvec3& b) {
 }  // namespace
 
 void SharedCorners::reserve(std::size_t vertices) {
-  geometry::reserveLarge(vertices_, vertices);
+  vertices_.reserve(vertices);
   std::size_t slots = std::max(kFewest, slots_.size());
   while (slots < 2 * vertices) slots *= 2;
   if (slots > slots_.size()) resize(slots);
@@ -72,7 +70,7 @@ std::uint32_t SharedCorners::addHashed(const dvec3& p, std::uint32_t hash) {
 
 void SharedCorners::resize(std::size_t slots) {
   std::vector<Slot> old;
-  geometry::resizeLarge(old, slots);
+  old.resize(slots);
   old.swap(slots_);
   mask_ = slots_.size() - 1;
   for (const Slot& slot : old) {

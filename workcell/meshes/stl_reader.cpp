@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "geometry/system/in_parallel.h"
-#include "geometry/system/large_pages.h"
 #include "geometry/system/text_case.h"
 #include "workcell/meshes/byte_source.h"
 #include "workcell/meshes/mesh_formats.h"
@@ -96,7 +95,7 @@ void append(SharedCorners& whole, BinaryRange& next, std::size_t least) {
   {
     const std::vector<dvec3> vertices = next.corners.take();
     next.corners = {};
-    geometry::resizeLarge(numbers, vertices.size());
+    numbers.resize(vertices.size());
     whole.add(vertices, numbers.data());
   }
   const std::span<geometry::Triangle> triangles = next.triangles;
@@ -171,7 +170,7 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   // Triangles for a thread to be worth it. Half, twice: no effect.
   constexpr std::size_t kLeast = 50'000;
   std::vector<BinaryRange> ranges(geometry::rangesOf(count, kLeast));
-  geometry::resizeLarge(raw.mesh.triangles, count);
+  raw.mesh.triangles.resize(count);
   geometry::inRanges(count, ranges.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     ranges[range].triangles = std::span(raw.mesh.triangles).subspan(begin, end - begin);
     ranges[range].read(content, begin, end);
