@@ -531,6 +531,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2 de %3</translation>
     </message>
     <message>
+        <source>%1 is %2 from %3 at the goal, and clear of it until %4 s</source>
+        <translation>%1 est à %2 de %3 au but, et en est dégagé jusqu'à %4 s</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3 at the start, and clear of it from %4 s on</source>
+        <translation>%1 est à %2 de %3 au départ, et en est dégagé à partir de %4 s</translation>
+    </message>
+    <message>
         <source>%1 is %2 from %3: a near miss.</source>
         <translation>%1 est à %2 de %3 : quasi-collision.</translation>
     </message>
@@ -1099,6 +1107,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 touche %2</translation>
     </message>
     <message>
+        <source>%1 touches %2 at the goal, and is clear of it until %3 s</source>
+        <translation>%1 touche %2 au but, et en est dégagé jusqu'à %3 s</translation>
+    </message>
+    <message>
+        <source>%1 touches %2 at the start, and is clear of it from %3 s on</source>
+        <translation>%1 touche %2 au départ, et en est dégagé à partir de %3 s</translation>
+    </message>
+    <message>
         <source>%1 touches %2 of %3</source>
         <translation>%1 touche %2 de %3</translation>
     </message>
@@ -1309,6 +1325,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, and %2 more</source>
         <translation>%1, et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1, and no straight way of up to %2 leads out of there</source>
+        <translation>%1, et aucun chemin droit de %2 au plus n'en sort</translation>
     </message>
     <message>
         <source>%1, as in the header</source>
@@ -12991,6 +13011,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un tube, et non un fichier ordinaire</translation>
     </message>
     <message>
+        <source>a plan leaves contacts that are up to %1 deep</source>
+        <translation>un trajet quitte des contacts profonds de %1 au plus</translation>
+    </message>
+    <message>
         <source>a point of the path that is not finite</source>
         <translation>un point non fini de la trajectoire</translation>
     </message>
@@ -14523,8 +14547,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus peak_force, %1</translation>
     </message>
     <message>
+        <source>at the start %1 is %2 deep in %3 (%4); move %5 out of it</source>
+        <translation>au départ, %1 est enfoncé de %2 dans %3 (%4) ; sortez %5 de là</translation>
+    </message>
+    <message>
         <source>at the start %1 is %2 from %3, nearer than the clearance of %4</source>
         <translation>au départ, %1 est à %2 de %3, plus près que la distance de passage de %4</translation>
+    </message>
+    <message>
+        <source>at the start %1 is too deep in %2 (%3); move %4 out of it</source>
+        <translation>au départ, %1 est enfoncé trop profondément dans %2 (%3) ; sortez %4 de là</translation>
     </message>
     <message>
         <source>at the start %1 touches %2</source>
@@ -16537,6 +16569,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no contact</source>
         <translation>sans contact</translation>
+    </message>
+    <message>
+        <source>no contact on the way</source>
+        <translation>aucun contact en chemin</translation>
     </message>
     <message>
         <source>no device</source>
