@@ -175,7 +175,7 @@ Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, con
   Promises& promises = result.promises;
   // A millionth of a metre: distances of the file's numbers, written to the last bit, differ by far less.
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
-  promises.list.push_back({"contacts", 0.0, contacts, "", {}, false, 0.0, where_contact, "no contact on the way"});
+  promises.list.push_back({"contacts", 0.0, contacts, "", {}, false, 0.0, where_contact, Text("no contact on the way")});
   promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
   const char* const unit = columns->empty() ? "m" : "rad";
   promises.list.push_back(

@@ -536,7 +536,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 is %2 from %3 at the start, and clear of it from %4 s on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est à %2 de %3 au départ, et en est dégagé à partir de %4 s</translation>
     </message>
     <message>
         <source>%1 is %2 from %3: a near miss.</source>
@@ -1112,7 +1112,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 touches %2 at the start, and is clear of it from %3 s on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 touche %2 au départ, et en est dégagé à partir de %3 s</translation>
     </message>
     <message>
         <source>%1 touches %2 of %3</source>
@@ -10912,7 +10912,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>There is no mannequin in the cell. Add one, and give its hands what they reach for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de mannequin dans la cellule. Ajoutez-en un et donnez à ses mains ce qu'elles doivent atteindre.</translation>
     </message>
     <message>
         <source>There is no motion below this one.</source>
@@ -16625,6 +16625,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no contact</source>
         <translation>sans contact</translation>
+    </message>
+    <message>
+        <source>no contact on the way</source>
+        <translation>aucun contact en chemin</translation>
     </message>
     <message>
         <source>no device</source>
