@@ -532,7 +532,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 is %2 from %3 at the goal, and clear of it until %4 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est à %2 de %3 au but, et en est dégagé jusqu'à %4 s</translation>
     </message>
     <message>
         <source>%1 is %2 from %3 at the start, and clear of it from %4 s on</source>
@@ -1108,7 +1108,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 touches %2 at the goal, and is clear of it until %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 touche %2 au but, et en est dégagé jusqu'à %3 s</translation>
     </message>
     <message>
         <source>%1 touches %2 at the start, and is clear of it from %3 s on</source>
@@ -1328,7 +1328,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1, and no straight way of up to %2 leads out of there</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, et aucun chemin droit de %2 au plus n'en sort</translation>
     </message>
     <message>
         <source>%1, as in the header</source>
@@ -13044,7 +13044,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a plan leaves contacts that are up to %1 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>un trajet quitte des contacts profonds de %1 au plus</translation>
     </message>
     <message>
         <source>a point of the path that is not finite</source>
@@ -14580,7 +14580,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at the start %1 is %2 deep in %3 (%4); move %5 out of it</source>
-        <translation type="unfinished"></translation>
+        <translation>au départ, %1 est enfoncé de %2 dans %3 (%4) ; sortez %5 de là</translation>
     </message>
     <message>
         <source>at the start %1 is %2 from %3, nearer than the clearance of %4</source>
@@ -14588,7 +14588,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at the start %1 is too deep in %2 (%3); move %4 out of it</source>
-        <translation type="unfinished"></translation>
+        <translation>au départ, %1 est enfoncé trop profondément dans %2 (%3) ; sortez %4 de là</translation>
     </message>
     <message>
         <source>at the start %1 touches %2</source>
