@@ -13,6 +13,7 @@
 #include "geometry/shapes/shapes.h"
 #include "geometry/system/percentile.h"
 #include "manipulation/session/local_server.h"
+#include "manipulation/session/server_session.h"
 #include "manipulation/session/session.h"
 
 namespace hapticell::feel {

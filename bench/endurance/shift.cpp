@@ -11,6 +11,7 @@
 #include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
+#include "manipulation/session/server_session.h"
 #include "workcell/import/imported_entities.h"
 #include "workcell/text/file_content.h"
 

@@ -20,6 +20,7 @@
 #include "exchange/recordings/recording_writer.h"
 #include "geometry/system/plain_number.h"
 #include "manipulation/session/local_server.h"
+#include "manipulation/session/server_session.h"
 #include "manipulation/session/session.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/document/assembly_solid.h"

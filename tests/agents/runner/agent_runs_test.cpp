@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "agents/runner/agent_loop.h"
 #include "agents/runner/agent_run.h"
 #include "agents/runner/deadlock_watch.h"
+#include "agents/runner/run_recorder.h"
 #include "agents/wishes/operator_agent.h"
 #include "collision/queries/proximity_query.h"
 #include "manipulation/checks/motion_replay.h"
@@ -147,6 +149,47 @@ TEST(AgentRuns, ADeadlockWithoutAnOperatorGoesToThePlanner) {
   ASSERT_FALSE(run.result.handed_over.empty());
   EXPECT_NE(english(run.result.handed_over.front()).find("planner"), std::string::npos);
   EXPECT_GT(leastDistance(*cell, run.motion, 1, 2), 0.0);
+}
+
+/// Goes one way, whatever is asked.
+class Pusher final : public Agent {
+ public:
+  void wish(const AgentView& view, Wish& wish) override {
+    wish.v.assign(view.body.size(), 0.0);
+    wish.v[0] = 0.05;
+    wish.arrow_W = {0.05, 0.01, -0.02};
+  }
+};
+
+TEST(RunRecorder, KeepsTheMiddleOfASolidAndWhatEachAgentWanted) {
+  const auto cell = boxBeforeWall(false);
+  std::vector<WeightedAgent> agents(1);
+  agents[0].name = "pusher";
+  agents[0].agent = std::make_unique<Pusher>();
+  AgentLoop loop(cell->start().placed(cell->start().configuration()), cell->clearances().fresh(), std::move(agents),
+                 cell->task().goal, 0.003, 0);
+  RunRecorder recorder(*cell);
+  recorder.add(loop);
+  ASSERT_TRUE(loop.step());
+  recorder.add(loop);
+  recorder.addWishes(loop);
+  const trajectory::Trajectory& motion = recorder.motion();
+  EXPECT_EQ(motion.entity, "box");
+  EXPECT_EQ(motion.moved, "geometric_center");
+  EXPECT_TRUE(motion.joint_names.empty());
+  ASSERT_EQ(motion.size(), 2u);
+  EXPECT_EQ(motion[0].t, 0.0);
+  EXPECT_DOUBLE_EQ(motion[1].t, AgentLoop::kStep);
+  EXPECT_NEAR(motion[1].X_WT.p.x - motion[0].X_WT.p.x, 0.05 * AgentLoop::kStep, 1e-9);
+  const std::string& csv = recorder.wishes();
+  EXPECT_TRUE(csv.starts_with("t,pusher_x,pusher_y,pusher_z,pusher_strength\n")) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << "the head and one step";
+  ASSERT_EQ(loop.wishes().size(), 1u);
+  double t = 0.0, x = 0.0, y = 0.0, z = 0.0, strength = 0.0;
+  ASSERT_EQ(std::sscanf(csv.c_str() + csv.find('\n'), "%lf,%lf,%lf,%lf,%lf", &t, &x, &y, &z, &strength), 5) << csv;
+  EXPECT_EQ(t, loop.t());
+  EXPECT_EQ(dvec3(x, y, z), loop.wishes()[0].arrow_W);
+  EXPECT_EQ(strength, loop.wishes()[0].strength);
 }
 
 TEST(AgentCell, RefusesAStartInContact) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "agents/task/agent_section.h"
 #include "agents/task/section_reader.h"
 
 namespace hapticell::agents {
@@ -61,6 +62,17 @@ TEST(AgentTask, ErrorsNameFileLineAndKey) {
   EXPECT_NE(fault("what = \"operator\"", "what = \"goal\"").find("each agent once"), std::string::npos);
   EXPECT_NE(fault("position = [1.0, 2.0, 3.0]\n", "").find("position"), std::string::npos);
   EXPECT_NE(fault("[goal]", "[goal").find("not TOML"), std::string::npos);
+}
+
+TEST(AgentSection, AFaultNamesTheFileAndTheAgent) {
+  const auto task = AgentTask::parse(kTask, "/cells/t.toml");
+  ASSERT_TRUE(task) << task.error().message();
+  const AgentSection& section = task->agents[1];
+  EXPECT_EQ(section.kind, "operator");
+  EXPECT_EQ(section.weight, 1.0) << "where the file says none";
+  const std::string words = section.fault(Text("no hand"), Text("a hand"), Text("Lend one.")).message();
+  for (const char* part : {"/cells/t.toml", "operator", "no hand", "a hand", "Lend one."})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "agents/body/follow.h"
 #include "agents/task/agent_section.h"
 #include "agents/wishes/agent_makers.h"
+#include "agents/wishes/figure_need.h"
 #include "agents/wishes/operator_agent.h"
 #include "agents/wishes/seeded_numbers.h"
 #include "agents/wishes/simulated_hand.h"
@@ -77,6 +78,28 @@ std::unique_ptr<MovedBody> bent(const workcell::Entity& worker) {
     if (auto there = body->moved(step)) body = std::move(there);
   }
   return body;
+}
+
+TEST(FigureNeed, RefusesWhatIsNoMannequinAndNamesTheAgent) {
+  const Stage robot({test::arm()}, bodyOf(test::arm()), "balance");
+  const auto refused = needFigure({robot.task.agents[0], robot.task, *robot.body, 0, robot.clearances->obstacles(), 5});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("balance"), std::string::npos) << refused.error().message();
+  const workcell::Entity worker = loaded("mannequin:male:50", 1, "worker");
+  const Stage person({worker}, bodyOf(worker), "balance");
+  EXPECT_TRUE(needFigure({person.task.agents[0], person.task, *person.body, 0, person.clearances->obstacles(), 5}));
+}
+
+TEST(FigureNeed, GivesEachVariableTheNumberOfItsRegion) {
+  const auto body = bodyOf(loaded("mannequin:male:50", 1, "worker"));
+  const std::vector<double> all = byRegion(*body, {1.0, 2.0, 3.0, 4.0, 5.0});
+  // Of a mannequin: 3 for the pelvis' place, 3 for its turn, 9 of the spine, 18 of the arms, 9 of the neck.
+  ASSERT_EQ(all.size(), 42u);
+  const int counts[] = {3, 3, 9, 18, 9};
+  std::size_t at = 0;
+  for (int region = 0; region < 5; ++region) {
+    for (int k = 0; k < counts[region]; ++k) EXPECT_EQ(all[at++], region + 1.0);
+  }
 }
 
 TEST(Agents, EachKindHasItsOwnName) {

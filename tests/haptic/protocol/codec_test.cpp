@@ -2,13 +2,20 @@
 #include "haptic/protocol/codec.h"
 
 #include <gtest/gtest.h>
+#include <regex>
+#include <string>
+#include <set>
+#include <memory>
+#include <fstream>
 
 #include <rapidcheck/gtest.h>
 #include <limits>
 #include <random>
 
+#include "haptic/protocol/wire_fields.h"
 #include "tests/haptic/protocol/any_message.h"
 #include "tests/haptic/protocol/same_message.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::haptic {
 namespace {
@@ -278,6 +285,71 @@ TEST(FrameReader, ALengthThatCannotBeIsAnErrorAndStaysOne) {
     reader.append(header);
     EXPECT_FALSE(reader.next());
   }
+}
+
+/// The fields that a list of wire_fields.h names.
+struct FieldNames {
+  std::set<std::string> all;
+  std::size_t calls = 0;
+  void add(const auto& field) {
+    ++calls;
+    all.insert(field.name);
+  }
+  void operator()(auto&, const auto& field) { add(field); }
+  void required(auto&, const auto& field) { add(field); }
+  void text(auto&, const auto& field) { add(field); }
+  void texts(auto&, const auto& field) { add(field); }
+  void table(auto&, const auto& field) { add(field); }
+  void tables(auto&, auto&, const auto& field) { add(field); }
+  void trim(auto&, const auto& field) { add(field); }
+  void known(auto&, const auto& is_known, const auto& field) {
+    add(is_known);
+    add(field);
+  }
+};
+
+/// The fields of a table by the schema's text: "State.tick".
+std::set<std::string> fieldsOfSchema(const std::string& table) {
+  std::ifstream file(test::sourceFile("haptic/protocol/hapticell.fbs"));
+  std::string text;
+  for (std::string line; std::getline(file, line);) text += line.substr(0, line.find("//")) + " ";
+  std::set<std::string> names;
+  std::smatch body;
+  if (!std::regex_search(text, body, std::regex("table " + table + "\\s*\\{([^}]*)\\}"))) return names;
+  const std::string fields = body[1];
+  const std::regex field("(\\w+)\\s*:");
+  for (std::sregex_iterator at(fields.begin(), fields.end(), field), end; at != end; ++at) {
+    std::string name = table;
+    names.insert(name.append(".").append((*at)[1].str()));
+  }
+  return names;
+}
+
+template <typename Message>
+void expectAllFields(const std::string& table) {
+  FieldNames names;
+  auto message = std::make_unique<Message>();
+  wireFields(names, *message);
+  const std::set<std::string> schema = fieldsOfSchema(table);
+  EXPECT_FALSE(schema.empty()) << table;
+  EXPECT_EQ(names.all, schema) << table;
+  EXPECT_EQ(names.calls, schema.size()) << "none twice in " << table;
+}
+
+TEST(WireFields, EachListNamesEveryFieldOfItsTableOnce) {
+  expectAllFields<Hello>("Hello");
+  expectAllFields<DeviceDescription>("Device");
+  expectAllFields<Welcome>("Welcome");
+  expectAllFields<Refusal>("Refusal");
+  expectAllFields<Constraint>("Constraint");
+  expectAllFields<ConstraintSet>("ConstraintSet");
+  expectAllFields<HapticState>("State");
+  expectAllFields<ServerStatistics>("Statistics");
+  expectAllFields<HapticControl>("Control");
+  expectAllFields<HandTarget>("HandTarget");
+  expectAllFields<Heartbeat>("Heartbeat");
+  expectAllFields<DeviceCondition>("DeviceCondition");
+  expectAllFields<Calibrate>("Calibrate");
 }
 
 }  // namespace

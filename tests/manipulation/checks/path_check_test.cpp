@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "collision/queries/proximity_query.h"
+#include "manipulation/checks/collision_track.h"
+#include "manipulation/checks/joint_track.h"
+#include "manipulation/checks/path_finding.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "workcell/import/entity_source.h"
 
@@ -128,6 +131,66 @@ workcell::Entity slide() {
   entity.name = "slide";
   entity.body = workcell::Robot{{.model = model, .joints = {0.0}, .tip_link = "carriage"}};
   return entity;
+}
+
+TEST(FindingList, KeepsOneIntervalAsLongAsItGoesOn) {
+  FindingList list;
+  PathCheckResult result;
+  for (const auto& [t, worst] : {std::pair(0.0, 0.1), std::pair(1.0, 0.3), std::pair(2.0, 0.2)}) {
+    list.add(PathFinding::Kind::kJointLimit, "a1", t, worst);
+    list.endFrame(result);
+    EXPECT_TRUE(result.findings.empty());
+  }
+  list.endFrame(result);  // A frame without it.
+  list.add(PathFinding::Kind::kJointLimit, "a1", 4.0, 0.05);
+  list.endFrame(result);
+  list.endFrame(result);
+  ASSERT_EQ(result.findings.size(), 2u);
+  EXPECT_EQ(result.findings[0].t_in, 0.0);
+  EXPECT_EQ(result.findings[0].t_out, 2.0);
+  EXPECT_EQ(result.findings[0].worst, 0.3);
+  EXPECT_EQ(result.findings[1].t_in, 4.0);
+}
+
+TEST(JointTrack, ALimitIsFoundBeyondItOnly) {
+  const workcell::Entity robot = slide();
+  JointTrack track(robot);
+  FindingList list;
+  PathCheckResult result;
+  track.look({Pose(), {0.5}}, nullptr, 0.0, 0.1, list);
+  list.endFrame(result);
+  const EntityConfiguration before{Pose(), {0.5}};
+  track.look({Pose(), {0.52}}, &before, 0.1, 0.1, list);  // 0.2 m/s, of 1.
+  list.endFrame(result);
+  list.endFrame(result);
+  ASSERT_EQ(result.findings.size(), 1u);
+  EXPECT_STREQ(toString(result.findings[0].kind), "joint_limit");
+  EXPECT_EQ(result.findings[0].t_in, 0.1);
+  EXPECT_NEAR(result.findings[0].worst, 0.02, 1e-12);
+}
+
+TEST(CollisionTrack, FollowsAPairFromItsBeginToItsEnd) {
+  const auto held = HeldEntity::take(wallAndBox(), 2, {}, {}, {});
+  ASSERT_TRUE(held) << held.error().message();
+  const MeetingBodies bodies(**held);
+  ASSERT_EQ(bodies.pairs.size(), 1u);
+  EXPECT_TRUE(bodies.pairs[0].blocks);
+  EXPECT_EQ(bodies.first(0), "box");
+  EXPECT_EQ(bodies.second(0), "wall");
+  CollisionTrack track(bodies, (*held)->manipulator(), 0.05);
+  PathCheckResult result;
+  result.least_clearance = 1.0;
+  const auto at = [](double x) { return EntityConfiguration{Pose::translation({x, 0, 0}), {}}; };
+  track.start(at(-0.0305), 0.0, result);
+  EXPECT_NEAR(result.least_clearance, 0.02, 1e-9) << "20 mm from face to face";
+  EXPECT_EQ(result.nearest_second, "wall");
+  track.step(at(-0.0305), at(0.0), 0.0, 1.0, result);
+  EXPECT_TRUE(result.findings.empty()) << "it goes on";
+  track.step(at(0.0), at(0.3), 1.0, 2.0, result);
+  track.finish(result);
+  ASSERT_EQ(result.findings.size(), 1u);
+  EXPECT_NEAR(result.findings[0].t_in, 0.02 / 0.0305, 1e-3);
+  EXPECT_EQ(result.findings[0].t_out, 2.0);
 }
 
 TEST(PathCheck, NamesJointsBeyondTheirEndsAndSpeeds) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "manipulation/session/server_session.h"
 #include "manipulation/session/session.h"
 
 #include <gmock/gmock.h>
@@ -7,7 +8,12 @@
 #include <cmath>
 #include <thread>
 
+#include "haptic/devices/simulated_device.h"
+#include "haptic/server/configured_loop.h"
+#include "haptic/server/force_loop.h"
+#include "haptic/server/in_memory_link.h"
 #include "manipulation/session/local_server.h"
+#include "manipulation/session/watched_engine.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "tests/support/test_data.h"
 #include "workcell/format/document_io.h"
@@ -216,6 +222,32 @@ TEST_P(SessionAtRate, PlateThatStandsOnTheTableLeavesItWithoutDippingIn) {
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_LE(report->forces.penetration_max_m, FreeMotion::kGuard);
   EXPECT_GT(report->end.X_WM.p.z, 0.03);
+}
+
+TEST(WatchedEngine, SaysBeforeItBeginsWhatCannotBeDone) {
+  SessionOptions options = sessionOf(boxOverTable(0.02), "lid", pressAndSlide(), 60.0, 0.0);
+  haptic::VirtualClock clock;
+  haptic::SimulatedDevice device(options.device);
+  ASSERT_TRUE(device.open());
+  haptic::ForceLoop loop(device, clock, haptic::configuredLoop(device, options.configuration));
+  haptic::InMemoryLink link(loop, clock, haptic::describe(device), {});
+  const auto nobody = WatchedEngine(link, options).prepare();
+  ASSERT_FALSE(nobody);
+  EXPECT_THAT(nobody.error().message(), ::testing::HasSubstr("no entity is named 'lid'"));
+  options.entity = "box";
+  options.axes = {AxesMode::kFrame, "jig"};
+  const auto nowhere = WatchedEngine(link, options).prepare();
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message(), ::testing::HasSubstr("no frame is named 'jig'"));
+  options.axes = {};
+  WatchedEngine engine(link, options);
+  ASSERT_TRUE(engine.prepare());
+  EXPECT_EQ(engine.sentAt(0), -1.0);
+  EXPECT_EQ(engine.sentAt(7), -1.0) << "no such set";
+  EXPECT_FALSE(engine.isSolved(10.0)) << "no planner";
+  const SessionReport report = engine.finish(0.0);
+  EXPECT_FALSE(report.end.held) << "nobody pressed the button";
+  EXPECT_EQ(report.rate_manipulation_hz, 0.0);
 }
 
 TEST(Session, RunsInRealTimeThroughAServerOfItsOwn) {

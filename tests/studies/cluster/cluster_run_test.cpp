@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "studies/cluster/program_call.h"
+
 namespace hapticell::studies {
 namespace {
 
@@ -57,6 +59,25 @@ TEST_F(ClusterRun, RefusesWhatCannotBeSubmitted) {
   broken.partition = "";
   broken.study = folder_ / "none.hstudy";
   EXPECT_FALSE(slurmJobOf(broken));
+}
+
+TEST(ProgramCall, GivesAllThatWasSaidAndHowItEnded) {
+  const auto answer = callProgram("sh", {"-c", "echo one; echo two >&2; exit 3"});
+  ASSERT_TRUE(answer) << answer.error().message();
+  EXPECT_EQ(answer->status, 3);
+  EXPECT_EQ(answer->output, "one\ntwo\n");
+  const auto killed = callProgram("sh", {"-c", "kill -KILL $$"});
+  ASSERT_TRUE(killed);
+  EXPECT_EQ(killed->status, -1);
+}
+
+TEST(ProgramCall, NoShellReadsTheArguments) {
+  const auto answer = callProgram("printf", {"%s", "$HOME; echo 'x' > /dev/null"});
+  ASSERT_TRUE(answer) << answer.error().message();
+  EXPECT_EQ(answer->output, "$HOME; echo 'x' > /dev/null");
+  const auto missing = callProgram("no-such-program-of-a-cluster", {});
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message().find("no-such-program-of-a-cluster"), std::string::npos);
 }
 
 }  // namespace
