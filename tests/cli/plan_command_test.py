@@ -81,6 +81,17 @@ def test_a_part_leaves_its_box(folder):
     assert max(abs(last[1]), abs(last[2]), last[3] - 0.2, -last[3]) > 0.1, last
 
 
+def test_a_start_in_contact_is_left(folder):
+    run("workcell", "new", "table.hcell", "--add", "box:0.1,0.04,0.04,name=bar,pose=0,0,0.02,1,0,0,0",
+        "--add", "box:1,1,0.1,name=table,pose=0,0,-0.05,1,0,0,0", folder=folder)
+    answer = plan("--workcell", "table.hcell", "--entity", "bar", "--to", "0.2,0,0.3,1,0,0,0", "-o", "up.htraj", folder=folder)
+    assert answer["solved"] and answer["clearance_min_m"] >= 0.005 - 1e-6, answer
+    (left,) = answer["left"]
+    assert (left["moved"], left["met"]) == ("bar", "table") and abs(left["gap_m"]) < 1e-5, left
+    assert 0 < left["until_s"] < answer["duration_s"] and "reached" not in answer, answer
+    assert any("bar touches table at the start" in note for note in answer["notes"]), answer
+
+
 def test_a_motion_passes_given_poses(folder):
     box_cell(folder)
     (folder / "through.csv").write_text("x,y,z,qw,qx,qy,qz\n0,0,0.6,1,0,0,0\n0.5,0,0.6,1,0,0,0\n")
