@@ -31,7 +31,7 @@ class CollisionTrack {
   /// `look`: clearances above it are not measured.
   CollisionTrack(const MeetingBodies& bodies, const Manipulator& manipulator, double look);
 
-  /// The first frame: pairs that touch there are told apart from findings.
+  /// The first frame: pairs that touch there are kept apart from findings.
   void start(const EntityConfiguration& at, double t, PathCheckResult& result);
   /// From one frame to the next, looked at continuously.
   void step(const EntityConfiguration& from, const EntityConfiguration& to, double t0, double t1,
