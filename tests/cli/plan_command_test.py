@@ -23,10 +23,10 @@ def run(*words, folder, expect=0):
     return done
 
 
-def robot_cell(folder):
+def robot_cell(folder, *more):
     run("workcell", "new", "cell.hcell", "--add", "library:ur5e,name=robot",
         "--add", "box:0.6,0.04,0.5,name=wall,pose=-0.65,-0.13,0.25,1,0,0,0",
-        "--add", "box:1,1,0.1,name=plate,pose=0,0,-0.05,1,0,0,0", folder=folder)
+        "--add", "box:1,1,0.1,name=plate,pose=0,0,-0.05,1,0,0,0", *more, folder=folder)
     cell = json.loads((folder / "cell.hcell").read_text())
     next(one for one in cell["entities"] if one["name"] == "robot")["joints"] = dict(zip(NAMES, START))
     (folder / "cell.hcell").write_text(json.dumps(cell))
@@ -90,6 +90,29 @@ def test_a_start_in_contact_is_left(folder):
     assert (left["moved"], left["met"]) == ("bar", "table") and abs(left["gap_m"]) < 1e-5, left
     assert 0 < left["until_s"] < answer["duration_s"] and "reached" not in answer, answer
     assert any("bar touches table at the start" in note for note in answer["notes"]), answer
+
+
+def beside_the_flange(folder, joints, gap):
+    """A box of 0.08 x 0.08 x 0.1 m in front of the flange at these joint positions, `gap` m from it."""
+    (folder / "joints.csv").write_text(",".join(NAMES) + "\n" + ",".join(map(str, joints)) + "\n")
+    answer = json.loads(run("fk", "--robot", "library:ur5e", "--joints", "joints.csv", folder=folder).stdout)
+    x, y, z, w, i, j, k = (answer["poses"][0][name] for name in ("x", "y", "z", "qw", "qx", "qy", "qz"))
+    axis = (2 * (i * k + w * j), 2 * (j * k - w * i), 1 - 2 * (i * i + j * j))
+    centre = [at + (0.05 + gap) * along for at, along in zip((x, y, z), axis)]
+    return "box:0.08,0.08,0.1,name=part,pose=" + ",".join(f"{value:.9f}" for value in (*centre, w, i, j, k))
+
+
+def test_a_robot_leaves_and_reaches_a_part(folder):
+    for joints, gap, key in ((START, -0.0003, "left"), (START, 0.0005, "left"), (GOAL, -0.0003, "reached")):
+        robot_cell(folder, "--add", beside_the_flange(folder, joints, gap))
+        answer = to_goal(folder, "way.htraj")
+        assert answer["solved"] and answer["clearance_min_m"] >= 0.005 - 1e-6, answer
+        (pair,) = answer[key]
+        assert pair["moved"].startswith("robot/") and pair["met"] == "part" and abs(pair["gap_m"] - gap) < 1e-5, pair
+    robot_cell(folder, "--add", beside_the_flange(folder, START, -0.005))
+    answer = to_goal(folder, "deep.htraj", expect=1)
+    assert answer["constraint"] == "start" and "deep in part" in answer["reason"], answer
+    assert not (folder / "deep.htraj").exists()
 
 
 def test_a_motion_passes_given_poses(folder):
