@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/kit/motion_options.h"
 
+#include "cli/kit/result_writer.h"
+
 namespace hapticell::cli {
 
 void addMotionReading(Subcommand command, std::string& up, std::string& markers) {

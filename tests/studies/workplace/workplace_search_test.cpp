@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "manipulation/scene/scene_service.h"
 #include "studies/runner/study.h"
@@ -85,7 +86,8 @@ WorkplaceQuestion questionOf(const KeptSearch& kept, const workcell::Document& d
 TEST(WorkplaceSearch, AnswersAsBeforeItWasAStudy) {
   // Equal without tolerance: the scores are whole numbers and the words are the same.
   const std::atomic<bool> cancel{false};
-  for (const KeptSearch& kept : keptSearches()) {
+  // The first cell takes as long as the others together: three of its places are tried in the next test.
+  for (const KeptSearch& kept : std::span(keptSearches()).subspan(1)) {
     Diagnostics notes;
     const auto document = workcell::loadDocument(test::sourceFile(kept.cell), notes);
     ASSERT_TRUE(document) << document.error().message();
