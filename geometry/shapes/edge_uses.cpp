@@ -53,8 +53,8 @@ EdgeUses::EdgeUses(std::span<const Triangle> triangles, std::size_t vertices) {
     uses_[--begin_[up ? from : to]] = {up ? to : from, static_cast<std::uint32_t>(2 * corner + (up ? 1u : 0u))};
   }
   // Vertices for a thread to be worth it. Half, twice: no effect.
-  constexpr std::size_t kLeast = 20'000;
-  inRanges(vertices, rangesOf(vertices, kLeast), [&](std::size_t, std::size_t first, std::size_t last) {
+  constexpr std::size_t kLeastVertices = 20'000;
+  inRanges(vertices, rangesOf(vertices, kLeastVertices), [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t low = first; low < last; ++low) {
       sortFew(std::span(uses_).subspan(begin_[low], begin_[low + 1] - begin_[low]));
     }
