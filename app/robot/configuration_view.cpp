@@ -114,8 +114,9 @@ QString solutionsText(int rows, int reachable, bool are_all) {
 }
 
 /// At the foot where no other configuration is seen in the scene.
-QString footText(int rows, bool chosen) {
-  if (rows == 0) return ConfigurationView::tr("No inverse kinematics. Jog the joints instead.");
+QString footText(int rows, bool chosen, bool has_inverse) {
+  if (!has_inverse) return ConfigurationView::tr("No inverse kinematics. Jog the joints instead.");
+  if (rows == 0) return {};  // Not computed yet.
   return chosen ? ConfigurationView::tr("This is the current configuration.")
                 : ConfigurationView::tr("Select a row to see it in the scene.");
 }
@@ -256,7 +257,7 @@ void ConfigurationView::showFoot() {
   const QString dashed = tr("The selected row is dashed in the scene.");
   switch (way) {
     case Way::kNow:
-      foot_->setText(footText(model_.rowCount(), row >= 0));
+      foot_->setText(footText(model_.rowCount(), row >= 0, !context_.robot() || context_.inverse()));
       break;
     case Way::kUnknown:
       foot_->setText(dashed + QLatin1Char(' ') + tr("Checking the path…"));

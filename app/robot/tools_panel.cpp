@@ -11,6 +11,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/selection.h"
 #include "app/controls/entity_icon.h"
 #include "app/kit/form.h"
 #include "app/controls/pose_text.h"
@@ -121,7 +122,8 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
   carrier_link_->setObjectName("comboCarrierLink");
   addRow(*rows, tr("On link"), carrier_link_, 56);
   attach_ = makeButton("buttonAttach", tr("Attach"), tr("At its current placement"));
-  rows->addWidget(sideBySide({release_, attach_}));
+  mount_ = makeButton("buttonMount", tr("Mount"), tr("Moves the part's origin to the frame of the link, then attaches it"));
+  rows->addWidget(sideBySide({release_, attach_, mount_}));
   rows->addWidget(new LoadLine(context_, "labelToolsLoad"));
   connect(carried_, &QListWidget::currentRowChanged, this, [this](int row) { release_->setEnabled(row >= 0); });
   connect(release_, &QPushButton::clicked, this, [this] {
@@ -129,6 +131,12 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
       context_.host().documentModel().execute(workcell::Detach{item->data(Qt::UserRole).toULongLong()});
   });
   connect(attach_, &QPushButton::clicked, this, [this] { attach(part_->currentData().toULongLong()); });
+  connect(mount_, &QPushButton::clicked, this, [this] { mount(part_->currentData().toULongLong()); });
+  // What the user has just imported or clicked is what the robot is to carry.
+  connect(&context_.host().selection(), &Selection::changed, this, [this] {
+    const int row = part_->findData(static_cast<qulonglong>(context_.host().selection().current()));
+    if (row >= 0) part_->setCurrentIndex(row);
+  });
   connect(pick_part, &QPushButton::clicked, this, [this] {
     context_.host().viewport().startPick(
         {{.faces = true, .edges = false, .vertices = false},
@@ -192,6 +200,7 @@ void ToolsPanel::showCarried() {
   carrier_link_->clear();
   release_->setEnabled(false);
   attach_->setEnabled(false);
+  mount_->setEnabled(false);
   if (!robot) return;
   for (const auto& entity : context_.host().documentModel().document().state().entities) {
     const QString name = QString::fromStdString(entity->name);
@@ -210,6 +219,7 @@ void ToolsPanel::showCarried() {
                                                                    : QString::fromStdString(robot->jointed().tip_link));
   if (const int row = part_->findData(kept); kept.isValid() && row >= 0) part_->setCurrentIndex(row);
   attach_->setEnabled(part_->count() > 0);
+  mount_->setEnabled(part_->count() > 0);
 }
 
 void ToolsPanel::drawFrame() {
@@ -317,6 +327,21 @@ void ToolsPanel::attach(workcell::EntityId part) {
   if (!robot || part == 0) return;
   context_.host().documentModel().execute(
       workcell::Attach{part, robot->id, carrier_link_->currentText().toStdString()});
+}
+
+void ToolsPanel::mount(workcell::EntityId part) {
+  const workcell::Entity* robot = context_.robot();
+  DocumentModel& document = context_.host().documentModel();
+  const workcell::Entity* carried = document.document().find(part);
+  if (!robot || !carried) return;
+  workcell::Entity with = *robot;
+  with.editJointed().tip_link = carrier_link_->currentText().toStdString();
+  with.editJointed().X_LT = Pose::identity();
+  const Pose X_WL = tcpPose_W(with, context_.base_W(), context_.joints());
+  document.executeAll(
+      tr("Mount %1 on %2").arg(QString::fromStdString(carried->name), QString::fromStdString(robot->name)),
+      {workcell::SetConfiguration{part, X_WL, carried->robot() ? carried->joints() : std::vector<double>{}},
+       workcell::Attach{part, robot->id, with.jointed().tip_link}});
 }
 
 }  // namespace hapticell::app

@@ -46,12 +46,13 @@ class ToolsPanel : public QWidget {
   void useTool();
   void pick();
   void attach(workcell::EntityId part);
+  void mount(workcell::EntityId part);
   RobotContext& context_;
   QListWidget *tools_, *carried_;
   QLineEdit* name_;
   QComboBox *link_, *part_, *carrier_link_;
   std::array<ValueField*, 6> pose_{};
-  QPushButton *remove_, *use_, *pick_, *attach_, *release_;
+  QPushButton *remove_, *use_, *pick_, *attach_, *mount_, *release_;
   bool showing_ = false;
 };
 

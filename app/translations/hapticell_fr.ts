@@ -6711,6 +6711,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mouvements importés : %1</translation>
     </message>
     <message>
+        <source>Mount</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Mount %1 on %2</source>
+        <translation>Monter %1 sur %2</translation>
+    </message>
+    <message>
         <source>Mount on</source>
         <translation>Monter sur</translation>
     </message>
@@ -6849,6 +6857,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Moves the guide to the handle of the entity; its direction stays</source>
         <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
+    </message>
+    <message>
+        <source>Moves the part's origin to the frame of the link, then attaches it</source>
+        <translation>Amène l'origine de la pièce sur le repère du segment, puis l'attache</translation>
     </message>
     <message>
         <source>Moves the parts that go first next to the assembly, as one undo step</source>
@@ -17173,6 +17185,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
+    </message>
+    <message>
+        <source>nothing held</source>
+        <translation>rien n'est tenu</translation>
     </message>
     <message>
         <source>nothing is near</source>

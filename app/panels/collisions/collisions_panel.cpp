@@ -216,6 +216,11 @@ void CollisionsPanel::showRows(std::vector<PairRow> rows) {
 void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
   if (snapshot) log_page_->take(*snapshot);
   const workcell::EntityId moved = movedEntity();
+  // Parts were moved while the question is open: what it names may no longer touch.
+  if (!question_->isHidden() && rest_.isOutdated(host_.preparedScene())) {
+    question_->setOutdated();
+    rest_.askAgain();
+  }
   if (!snapshot || snapshot->stylus.held == 0) rest_.watch(host_.preparedScene(), moved);
   rest_.takeResults();
   if (auto touching = rest_.takeTouching()) question_->ask(std::move(*touching));

@@ -35,6 +35,10 @@ class RestCheck {
   std::optional<std::vector<workcell::PairRule>> takeTouching();
   /// Makes the next watch() look for touching pairs again.
   void askAgain() { asked_entities_.reset(); }
+  /// `scene` is not the one that was looked at last.
+  bool isOutdated(const std::shared_ptr<const manipulation::PreparedScene>& scene) const {
+    return scene && measured_scene_.lock() != scene;
+  }
   bool isBusy() const { return job_ != nullptr; }
 
  private:

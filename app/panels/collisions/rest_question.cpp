@@ -22,22 +22,23 @@ RestQuestion::RestQuestion(Host& host, QWidget* parent) : QFrame(parent), host_(
   mark->setPixmap(icon("info").pixmap(16, 16));
   text_ = makeLabel({}, TextRole::kText);
   text_->setWordWrap(true);
-  auto* leave_out = new QPushButton(tr("Exclude"));
-  leave_out->setObjectName("buttonLeaveOut");
-  leave_out->setProperty("main", true);
+  leave_out_ = new QPushButton(tr("Exclude"));
+  leave_out_->setObjectName("buttonLeaveOut");
+  leave_out_->setProperty("main", true);
   auto* keep = new QPushButton(tr("Keep checking"));
   keep->setObjectName("buttonKeepChecked");
   row->addWidget(mark);
   row->addWidget(text_, 1);
-  row->addWidget(leave_out);
+  row->addWidget(leave_out_);
   row->addWidget(keep);
   hide();
-  connect(leave_out, &QPushButton::clicked, this, &RestQuestion::leaveOut);
+  connect(leave_out_, &QPushButton::clicked, this, &RestQuestion::leaveOut);
   connect(keep, &QPushButton::clicked, this, &QWidget::hide);
 }
 
 void RestQuestion::ask(std::vector<workcell::PairRule> touching) {
   touching_ = std::move(touching);
+  leave_out_->setEnabled(true);
   setVisible(!touching_.empty());
   if (touching_.empty()) return;
   QStringList names;
@@ -54,6 +55,10 @@ void RestQuestion::ask(std::vector<workcell::PairRule> touching) {
   if (count > 2) list += tr(" and %1 more").arg(count - 2);
   text_->setText(count == 1 ? tr("1 pair touches at rest: %1. Exclude it from the check?").arg(list)
                             : tr("%1 pairs touch at rest: %2. Exclude them from the check?").arg(count).arg(list));
+}
+
+void RestQuestion::setOutdated() {
+  leave_out_->setEnabled(false);
 }
 
 void RestQuestion::leaveOut() {

@@ -7,6 +7,7 @@
 #include "workcell/entity/pair_policy.h"
 
 class QLabel;
+class QPushButton;
 
 namespace hapticell::app {
 
@@ -19,12 +20,15 @@ class RestQuestion : public QFrame {
  public:
   explicit RestQuestion(Host& host, QWidget* parent = nullptr);
   void ask(std::vector<workcell::PairRule> touching);
+  /// The cell has changed since the question: nothing can be excluded until it is asked again.
+  void setOutdated();
 
  private:
   void leaveOut();
 
   Host& host_;
   QLabel* text_;
+  QPushButton* leave_out_;
   std::vector<workcell::PairRule> touching_;
 };
 

@@ -57,6 +57,12 @@ MotionPanel::MotionPanel(const Parts& parts, QWidget* parent)
     show();
     showCheck();
   });
+  const auto follow_robot = [this] {
+    const Motion* motion = list_.current();
+    program_->setRobot(motion && motion->entity ? motion->entity->robot().get() : nullptr);
+  };
+  connect(&list_, &MotionList::changed, this, follow_robot);
+  connect(&list_, &MotionList::currentChanged, this, follow_robot);
   connect(&player_, &MotionPlayer::changed, this, &MotionPanel::showFrame);
   connect(&bar_, &TimeBar::partChanged, this, &MotionPanel::showFrame);
   show();

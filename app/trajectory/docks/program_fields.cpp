@@ -8,6 +8,7 @@
 #include "app/kit/form.h"
 #include "app/trajectory/docks/named_field.h"
 #include "app/trajectory/motions/motion_export.h"
+#include "kinematics/model/robot_model.h"
 
 namespace hapticell::app {
 
@@ -28,6 +29,12 @@ ProgramFields::ProgramFields(QVBoxLayout& section, QObject* parent) : QObject(pa
   base_->setObjectName("editProgramBase");
   base_->setPlaceholderText(tr("as in the controller"));
   addRow(section, tr("Base"), base_);
+}
+
+void ProgramFields::setRobot(const kinematics::RobotModel* robot) {
+  if (!robot || robot->name == robot_) return;
+  robot_ = robot->name;
+  if (const int row = format_->findData(usualFormat(*robot)); row >= 0) format_->setCurrentIndex(row);
 }
 
 QString ProgramFields::format() const {

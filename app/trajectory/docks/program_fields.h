@@ -11,6 +11,10 @@ class QLineEdit;
 class QWidget;
 class QVBoxLayout;
 
+namespace hapticell::kinematics {
+struct RobotModel;
+}
+
 namespace hapticell::app {
 
 class ValueField;
@@ -21,6 +25,9 @@ class ProgramFields : public QObject {
  public:
   explicit ProgramFields(QVBoxLayout& section, QObject* parent = nullptr);
 
+  /// The robot of the current motion; null if it is not a robot's. Chooses the format of another robot than before; for
+  /// the same one, the user's choice stays.
+  void setRobot(const kinematics::RobotModel* robot);
   QString format() const;  ///< MotionFormat::word.
   trajectory::ProgramOptions options() const;
   QWidget* firstRow() const { return first_row_; }
@@ -30,6 +37,7 @@ class ProgramFields : public QObject {
   ValueField *speed_, *blend_;
   QLineEdit *tool_, *base_;
   QWidget* first_row_;
+  std::string robot_;  ///< Name of the model that the format was chosen for.
 };
 
 }  // namespace hapticell::app

@@ -53,18 +53,32 @@ std::string scaleText(double motion_scale) {
   return "1 : " + shortNumber(1.0 / motion_scale);
 }
 
-std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
-  const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
-  // The nearest pair that does not touch: what touches is told by the force.
+namespace {
+
+/// The nearest pair that does not touch, for the force shows what touches; without one, why there is no distance.
+StripCell clearanceCell(const manipulation::SceneSnapshot& snapshot, double near_miss_distance) {
+  StripCell cell{Mark::kNone, {}, StripText::tr("clearance").toStdString()};
   const auto free =
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
-  const bool known = free != snapshot.pairs.end();
+  if (free != snapshot.pairs.end()) {
+    cell.value = millimetres(free->distance);
+    if (free->near_miss || free->distance <= near_miss_distance) cell.mark = Mark::kNearMiss;
+  } else if (!snapshot.pairs.empty()) {
+    cell.value = StripText::tr("contact").toStdString();
+    cell.mark = Mark::kContact;
+  } else {
+    cell.value = (snapshot.stylus.held ? StripText::tr("none nearby") : StripText::tr("nothing held")).toStdString();
+  }
+  return cell;
+}
+
+}  // namespace
+
+std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
+  const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
   std::vector<StripCell> cells;
   const auto say = [](const QString& text) { return text.toStdString(); };
-  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : say(StripText::tr("none nearby")),
-                say(StripText::tr("clearance"))};
-  if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
-  cells.push_back(gap);
+  cells.push_back(clearanceCell(snapshot, context.near_miss_distance));
   const std::string force = snapshot.stylus.forces_on ? newtons(snapshot.stylus.force_n) : say(StripText::tr("off"));
   cells.push_back({contact ? Mark::kContact : Mark::kNone, force, say(StripText::tr("force"))});
   const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";

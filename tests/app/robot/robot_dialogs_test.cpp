@@ -149,6 +149,28 @@ TEST(Tools, APartIsAttachedGoesAlongAndIsReleasedWhereItIs) {
   EXPECT_EQ(placeOf(), there);
 }
 
+TEST(Tools, ASelectedPartIsMountedOnTheFlangeInOneStep) {
+  RobotPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr16_2");
+  const Pose X_WF = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  page.add(box("First", {2.0, 0.0, 0.0}));
+  const workcell::EntityId gripper = page.add(box("Gripper", {-2.0, 0.0, 0.5}));
+  const Pose before = page.document().document().find(gripper)->X_WE;
+  page.window().selection().set(robot);
+  page.click("buttonTools");
+  page.window().selection().set(gripper);
+  page.settle();
+  EXPECT_EQ(page.find<QComboBox>("comboPart")->currentText(), "Gripper");
+  ASSERT_TRUE(page.clickForStep("buttonMount"));
+  const workcell::Entity* mounted = page.document().document().find(gripper);
+  EXPECT_LT(glm::length(mounted->X_WE.p - X_WF.p), 1e-9);
+  EXPECT_LT(glm::length(mounted->X_WE * dvec3(0, 0, 1) - X_WF * dvec3(0, 0, 1)), 1e-9) << "turned as the flange";
+  EXPECT_EQ(mounted->attachment.to, page.document().document().find(robot)->name);
+  page.document().undo();
+  EXPECT_EQ(page.document().document().find(gripper)->X_WE.p, before.p);
+  EXPECT_TRUE(page.document().document().find(gripper)->attachment.to.empty());
+}
+
 TEST(Tools, WhatIsAttachedIsWeighedAgainstTheMakersPayload) {
   RobotPage page;
   const workcell::EntityId robot = page.addRobot("kuka_kr16_2");

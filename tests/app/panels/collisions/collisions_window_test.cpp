@@ -133,6 +133,18 @@ TEST(CollisionsPanel, WhatTouchesAtRestIsAskedShownAndUndoable) {
   EXPECT_TRUE(page.state().pair_rules.empty());
 }
 
+TEST(CollisionsPanel, TheQuestionFollowsAPartThatIsMovedAway) {
+  CollisionsPage page;
+  auto* question = page.find<QFrame>("questionAtRest");
+  page.prepareScene();
+  const auto look = [&] { page.select(page.hovering), page.select(0); };
+  ASSERT_TRUE(WindowPage::until([&] { return look(), question->isVisible(); }, 5000));
+  ASSERT_TRUE(page.window().documentModel().execute(
+      workcell::SetPlacement{page.standing, Pose::translation({0.0, 0.0, 1.5})}));
+  page.prepareScene();
+  EXPECT_TRUE(WindowPage::until([&] { return look(), !question->isVisible(); }, 5000)) << "nothing touches any more";
+}
+
 TEST(PairSets, TheFirstOneIsEverythingAndItsFieldsAreCommands) {
   CollisionsPage page;
   page.select(page.hovering);

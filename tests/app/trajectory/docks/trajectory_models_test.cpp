@@ -11,6 +11,7 @@
 #include "app/trajectory/motions/trace_curves.h"
 #include "app/trajectory/motions/track_rows.h"
 #include "app/trajectory/training/exercise_files.h"
+#include "kinematics/model/robot_model.h"
 #include "tests/support/test_data.h"
 #include "trajectory/checks/motion_promises.h"
 
@@ -187,6 +188,18 @@ TEST(ExerciseFiles, WhatCannotBeReadBackIsNotKept) {
   ASSERT_TRUE(saved.has_value()) << saved.error().message();
   EXPECT_EQ(files(), 2);
   EXPECT_EQ(manipulation::readExercise(file.toStdString())->stiffness, 300.0);
+}
+
+TEST(Formats, TheUsualOneIsThatOfTheRobotsController) {
+  const std::pair<const char*, const char*> robots[]{
+      {"kuka_kr16_2", "krl"}, {"ABB IRB 4600", "rapid"}, {"fanuc_lrmate200id", "fanuc"}, {"ur5e", "urscript"},
+      {"UR10", "urscript"},   {"my_ur_20", "urscript"},  {"staubli_tx2_60", "val3"},     {"motoman_gp7", "inform"},
+      {"turntable", "ros"},   {"franka_panda", "ros"},   {"four5", "ros"}};
+  for (const auto& [name, word] : robots) {
+    kinematics::RobotModel model;
+    model.name = name;
+    EXPECT_EQ(usualFormat(model).toStdString(), word) << name;
+  }
 }
 
 TEST(Formats, EachHasAWordAndANameOfItsOwn) {

@@ -52,10 +52,19 @@ TEST(StripText, NothingNearAndForcesOffAreSaid) {
   manipulation::SceneSnapshot snapshot;
   snapshot.clutched = true;
   const auto cells = stripCells(snapshot, {});
-  EXPECT_EQ(cells[0].value, "none nearby");
+  EXPECT_EQ(cells[0].value, "nothing held");
   EXPECT_EQ(cells[1].value, "off");
   EXPECT_EQ(cells[4].value, "Clutch");
   EXPECT_EQ(cells[5].mark, Mark::kLimit) << "the device's edge is reached";
+}
+
+TEST(StripText, TheClearanceOfWhatIsHeldSaysWhyThereIsNoDistance) {
+  manipulation::SceneSnapshot snapshot;
+  snapshot.stylus.held = 7;
+  EXPECT_EQ(stripCells(snapshot, {})[0].value, "none nearby");
+  snapshot.pairs = {pair(0.0, true, false)};
+  EXPECT_EQ(stripCells(snapshot, {})[0].value, "contact");
+  EXPECT_EQ(stripCells(snapshot, {})[0].mark, Mark::kContact);
 }
 
 }  // namespace
