@@ -3,7 +3,8 @@
 """What a call from Python costs over C++, beside other packages in the same run where they are installed.
 
 The engine's own time is that of a batch, which is one call: `Pair.distances`, `Robot.fk` of an array. A single call's time less
-that is what Python costs. Peers: python-fcl and trimesh if they can be imported, and damped least squares in numpy.
+that is what Python costs. Peers: python-fcl and PyKDL (Debian: python3-pykdl) if they can be imported, and damped least
+squares in numpy.
 
 usage: PYTHONPATH=build/release/python bench/python/python_bench.py [ARM.urdf]
 """
@@ -11,6 +12,7 @@ import pathlib
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree
 
 import numpy
 
@@ -95,6 +97,47 @@ def numeric_ik(robot, pose, q):
     return q
 
 
+def kdl_chain(file):
+    """The joints of a URDF, which is one chain, as PyKDL has them."""
+    import PyKDL
+
+    def vector(element, name, otherwise):
+        return [float(x) for x in (element.get(name, otherwise) if element is not None else otherwise).split()]
+
+    chain = PyKDL.Chain()
+    for joint in xml.etree.ElementTree.parse(file).getroot().iter("joint"):
+        origin = joint.find("origin")
+        at = PyKDL.Frame(PyKDL.Rotation.RPY(*vector(origin, "rpy", "0 0 0")), PyKDL.Vector(*vector(origin, "xyz", "0 0 0")))
+        axis = at.M * PyKDL.Vector(*vector(joint.find("axis"), "xyz", "1 0 0"))
+        chain.addSegment(PyKDL.Segment(PyKDL.Joint(joint.get("name"), at.p, axis, PyKDL.Joint.RotAxis), at))
+    return chain
+
+
+def kdl_kinematics(file, robot, q, poses):
+    """The same poses by PyKDL, from Python; it must give the same ones."""
+    import PyKDL
+    chain = kdl_chain(file)
+    forward, inverse = PyKDL.ChainFkSolverPos_recursive(chain), PyKDL.ChainIkSolverPos_LMA(chain)
+    joints, frame, found = PyKDL.JntArray(robot.dof), PyKDL.Frame(), PyKDL.JntArray(robot.dof)
+
+    def fk(row):
+        for i, value in enumerate(row):
+            joints[i] = value
+        forward.JntToCart(joints, frame)
+        return frame
+
+    for row, pose in zip(q[:100], poses[:100]):
+        assert max(abs(fk(row).p[i] - pose[i]) for i in range(3)) < 1e-9, "PyKDL has another arm"
+    yield "pose (fk), PyKDL, one call", one_by_one(fk, list(q))
+    start = PyKDL.JntArray(robot.dof)
+    for i, value in enumerate(robot.rest):
+        start[i] = value
+    frames = [PyKDL.Frame(PyKDL.Rotation.Quaternion(*p[4:], p[3]), PyKDL.Vector(*p[:3])) for p in poses[:500]]
+    reached = sum(inverse.CartToJnt(start, one, found) >= 0 for one in frames)
+    yield f"ik, PyKDL's LMA, one call ({reached} of {len(frames)} found, one each)", one_by_one(
+        lambda one: inverse.CartToJnt(start, one, found), frames)
+
+
 def kinematics(file):
     robot = hapticell.Robot.load(file)
     random = numpy.random.default_rng(1)
@@ -108,13 +151,17 @@ def kinematics(file):
     yield f"ik ({robot.inverse_model}), engine (batch)", best(lambda: robot.ik_batch(poses)) / len(poses)
     yield "ik, one call", one_by_one(robot.ik, list(poses))
     yield "ik, numpy's damped least squares", one_by_one(lambda pose: numeric_ik(robot, pose, robot.rest), list(poses[:100]))
+    try:
+        yield from kdl_kinematics(file, robot, q[:2000], poses)
+    except ImportError:
+        pass
 
 
 def main():
     print(f"{'import hapticell':45} {1e3 * import_time('hapticell'):9.1f} ms")
     print(f"{'import numpy':45} {1e3 * import_time('numpy'):9.1f} ms")
     for name, seconds in [*distances(), *kinematics(sys.argv[1] if len(sys.argv) > 1 else ROOT / "examples/data/arm.urdf")]:
-        print(f"{name:45} {1e6 * seconds:9.3f} us")
+        print(f"{name:60} {1e6 * seconds:9.3f} us")
 
 
 main()
