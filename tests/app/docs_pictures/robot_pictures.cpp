@@ -3,6 +3,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
+#include <QTest>
 #include <QTableView>
 
 #include "app/studies/study_panel.h"
@@ -116,6 +118,30 @@ void agents(const PictureTask& task) {
   page.keep();
 }
 
+/// The demonstration cell asked and changed from the console.
+void console(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
+  page.trigger("actionPythonConsole");
+  auto* state = page.find<QLabel>("labelConsoleState");
+  auto* field = page.find<QPlainTextEdit>("fieldConsoleInput");
+  auto* output = page.find<QPlainTextEdit>("textConsoleOutput");
+  ASSERT_TRUE(state && field && output);
+  const auto isReady = [&] { return state->text().contains("ready"); };
+  ASSERT_TRUE(PicturePage::until(isReady, PicturePage::kPatience)) << state->text().toStdString();
+  const char* const statements[]{"robot = cell['robot']", "robot.joints.round(2)", "cell.distances('robot')[0].distance",
+                                 "cell.set_joints('robot', robot.joints + [0.3, 0, 0, 0, 0, 0])"};
+  for (const char* statement : statements) {
+    field->setPlainText(statement);
+    QTest::keyClick(field, Qt::Key_Return);
+    PicturePage::rest(300);
+    ASSERT_TRUE(PicturePage::until(isReady, PicturePage::kPatience)) << statement;
+  }
+  EXPECT_FALSE(output->toPlainText().contains("Error")) << output->toPlainText().toStdString();
+  page.look({2.45, -1.85, 1.85}, {0.72, 0.1, 0.80});
+  page.keep();
+}
+
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
@@ -124,7 +150,8 @@ std::vector<DocsPicture> robotPictures() {
           {"study", {1600, 1000}, "dockStudyResults", study},
           {"access", {1600, 1000}, "dockAccess", access},
           {"planning", {1600, 1000}, "dockPlan", planning},
-          {"agents", {1600, 1000}, "dockAgents", agents}};
+          {"agents", {1600, 1000}, "dockAgents", agents},
+          {"python-console", {1600, 1000}, "dockPythonConsole", console}};
 }
 
 }  // namespace hapticell::app
