@@ -15,7 +15,8 @@ struct UnpackedMesh {
   std::vector<std::uint32_t> triangles;  ///< Three per triangle.
 };
 
-/// Unpacks a mesh with libdraco; `attribute` is the unique number of its positions. Errors: of another kind, damaged.
+/// Unpacks a mesh with libdraco; `attribute` is the unique number of its positions. If the mesh has no such attribute,
+/// the first one that the library calls positions is taken. Errors: of another kind, damaged.
 Expected<UnpackedMesh> unpackDraco(std::string_view bytes, std::uint32_t attribute);
 
 }  // namespace hapticell::importer

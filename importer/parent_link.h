@@ -18,7 +18,7 @@ class ParentLink {
   /// Call it before a part that may crash the process: the parent then runs it again without that part.
   void beginPart(int number);
   void error(const Error& error);
-  /// Place, found, expected and fix, separated by tabs, on one line.
+  /// The error on one line: packed() of geometry/system/packed_text.h.
   static std::string flatParts(const Error& error);
   void done();
 

@@ -33,8 +33,11 @@ std::int64_t roundedDown(double value) {
 
 std::uint64_t hashOf(std::int64_t x, std::int64_t y, std::int64_t z) {
   std::uint64_t hash = 0;
-  for (const std::int64_t part : {x, y, z}) hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ull;
-  return (hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9ull;
+  for (const std::int64_t part : {x, y, z}) {
+    hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 32;  // Each time: else cells that mirror each other about the origin have the same hash.
+  }
+  return hash * 0xBF58476D1CE4E5B9ull;
 }
 
 std::size_t partOf(std::uint64_t hash) {

@@ -66,7 +66,8 @@ inline Span arcCosine(const Span& a) {
 inline Span arcSine(const Span& a) {
   return {std::asin(std::clamp(a.low, -1.0, 1.0)), std::asin(std::clamp(a.high, -1.0, 1.0))};
 }
-/// Of y over x, continuous over the box; all angles if it has the origin or touches the half line of x < 0.
+/// Of y over x, continuous over the box: beyond pi where that reaches across the half line of x < 0. All angles if the
+/// box has the origin.
 inline Span angleOf(const Span& y, const Span& x) {
   if (y.has(0.0) && x.low <= 0.0) {
     if (x.high >= 0.0) return {-std::numbers::pi, std::numbers::pi};

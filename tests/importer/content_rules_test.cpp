@@ -94,12 +94,12 @@ TEST(ContentRules, EveryElementOfAnSdfFileIsTreatedAsListed) {
     if (rule.treatment == Treatment::kReported) reported.push_back(rule.element);
   }
   EXPECT_GT(tried, 60);
+  // And two that are in no list, of which the one in a namespace of its own is for another program.
+  all.insert(all.find("</link>"), "<wing/><my:own/>");
   const auto warnings = told(all);
   for (const std::string_view element : reported) EXPECT_TRUE(tells(warnings, element)) << element;
-  EXPECT_EQ(warnings.size(), reported.size());
-  const auto unknown = told(std::string(whole).insert(whole.find("</link>"), "<wing/><my:own/>"));
-  ASSERT_EQ(unknown.size(), 1u);
-  EXPECT_THAT(english(unknown[0]), HasSubstr("link/wing (not supported by this reader)"));
+  EXPECT_EQ(warnings.size(), reported.size() + 1);
+  EXPECT_THAT(english(warnings), HasSubstr("link/wing (not supported by this reader)"));
 }
 
 TEST(ContentRules, EveryExtensionOfGltfIsTreatedAsListed) {

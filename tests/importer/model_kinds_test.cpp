@@ -14,6 +14,7 @@
 #include "workcell/files/archive.h"
 #include "workcell/files/scene_export.h"
 #include "workcell/scenes/import_scene.h"
+#include "workcell/scenes/scene_batch.h"
 #include "workcell/text/content_rules.h"
 #include "workcell/text/file_content.h"
 
@@ -257,6 +258,7 @@ TEST_F(ModelKinds, ColladaInOtherWordsThanAssimpTakes) {
 TEST_F(ModelKinds, TheHeadOfColladaIsReadAsXml) {
   ImportOptions millimetres;
   millimetres.metres_per_unit = 1e-3;
+  std::vector<fs::path> files;
   for (const std::string& asset :
        {std::string("<asset><unit meter = '0.001' name='millimeter'/><up_axis> Z_UP\n</up_axis></asset>"),
         std::string("<asset><contributor><comments>") + std::string(80000, 'x') +
@@ -265,11 +267,17 @@ TEST_F(ModelKinds, TheHeadOfColladaIsReadAsXml) {
                     "</up_axis></asset>")}) {
     test::ColladaParts parts;
     parts.asset = asset;
-    for (const ImportOptions& options : {ImportOptions{}, millimetres}) {
-      const auto scene = read("a.dae", test::colladaOf(parts), options);
-      EXPECT_TRUE(scene.unit_is_stated);
-      EXPECT_EQ(scene.up_axis, UpAxis::kZ);
-      expectBounds(scene, {0, 0, 0}, {0.001, 0.002, 0.003}, 1e-9);
+    files.push_back(folder_.write(std::to_string(files.size()) + ".dae", test::colladaOf(parts)));
+  }
+  for (const ImportOptions& options : {ImportOptions{}, millimetres}) {
+    SceneBatch scenes(options);
+    scenes.readAhead(files);  // One start of the importer.
+    for (const fs::path& file : files) {
+      const auto scene = scenes.scene(file);
+      ASSERT_TRUE(scene) << scene.error().message();
+      EXPECT_TRUE(scene->unit_is_stated);
+      EXPECT_EQ(scene->up_axis, UpAxis::kZ);
+      expectBounds(*scene, {0, 0, 0}, {0.001, 0.002, 0.003}, 1e-9);
     }
   }
 }
@@ -409,6 +417,8 @@ TEST_F(ModelKinds, RawBytesInStepNamesAreGuessedAndTold) {
   struct Written {
     const char *bytes, *name, *told;
   };
+  std::vector<Written> all;
+  std::vector<fs::path> files;
   for (const Written& w :
        {Written{"Geh\xE4use", "Geh\xC3\xA4use", "Latin-1"},
         Written{"Gr\xF6\xDF"
@@ -420,7 +430,16 @@ TEST_F(ModelKinds, RawBytesInStepNamesAreGuessedAndTold) {
         Written{"\x95\x94\x95\x69", "\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
         Written{"\xE2\x9E\x91\xCC\x95\x94\x95\x69", "\xE7\xAD\x90\xE4\xBD\x93\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
         Written{"Geh\xC3\xA4use", "Geh\xC3\xA4use", ""}}) {
-    const auto scene = read("a.step", stepOf(w.bytes));
+    all.push_back(w);
+    files.push_back(folder_.write(std::to_string(all.size()) + ".step", stepOf(w.bytes)));
+  }
+  SceneBatch scenes{ImportOptions()};
+  scenes.readAhead(files);  // One start of the importer.
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Written& w = all[k];
+    const auto read_ahead = scenes.scene(files[k]);
+    ASSERT_TRUE(read_ahead) << read_ahead.error().message();
+    const ImportedScene& scene = *read_ahead;
     const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const Text& warning) {
       return *w.told != '\0' && english(warning).find(w.told) != std::string::npos;
     });

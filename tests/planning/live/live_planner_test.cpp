@@ -7,11 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "geometry/shapes/shapes.h"
-#include "manipulation/checks/path_check.h"
-#include "manipulation/session/session.h"
-#include "tests/manipulation/session/test_cells.h"
-#include "trajectory/motion/trajectory.h"
+#include "tests/planning/live/window_cell.h"
 
 namespace hapticell::planning {
 namespace {
@@ -19,34 +15,10 @@ namespace {
 using manipulation::PlanView;
 using manipulation::test::solid;
 
-/// A box (1) of 40 mm before a wall (2 to 5) with a window of 80 mm that is beside the straight way.
-std::vector<workcell::Entity> windowCell() {
-  return {solid(1, "box", geometry::makeBox(dvec3(0.04)), Pose::translation({-0.1, 0.0, 0.0})),
-          solid(2, "left", geometry::makeBox({0.02, 0.2, 0.4}), Pose::translation({0.0, -0.04, 0.0})),
-          solid(3, "right", geometry::makeBox({0.02, 0.1, 0.4}), Pose::translation({0.0, 0.19, 0.0})),
-          solid(4, "above", geometry::makeBox({0.02, 0.4, 0.16}), Pose::translation({0.0, 0.0, 0.12})),
-          solid(5, "below", geometry::makeBox({0.02, 0.4, 0.16}), Pose::translation({0.0, 0.0, -0.12}))};
-}
-
-LiveOptions throughWindow() {
-  LiveOptions options;
-  options.goal = goal::ToPose{Pose::translation({0.1, 0.0, 0.0})};
-  options.in_virtual_time = true;
-  return options;
-}
-
-PlanView viewOf(const std::shared_ptr<const manipulation::PreparedScene>& scene) {
-  PlanView view;
-  view.scene = scene;
-  view.entity = 1;
-  view.standing.X_WE = view.X_WM = scene->find(1)->X_WE;
-  view.trail = std::make_shared<const manipulation::Trail>(manipulation::Trail{view.standing});
-  return view;
-}
-
-std::shared_ptr<const manipulation::PreparedScene> prepared() {
-  return manipulation::PreparedScene::prepare(windowCell(), {}, {});
-}
+using test::prepared;
+using test::throughWindow;
+using test::viewOf;
+using test::windowCell;
 
 /// Looks each 10 ms until there is a way other than `old`.
 std::shared_ptr<const manipulation::PlannedWay> wayOf(LivePlanner& planner, PlanView& view, double seconds,
@@ -59,15 +31,8 @@ std::shared_ptr<const manipulation::PlannedWay> wayOf(LivePlanner& planner, Plan
   return nullptr;
 }
 
-/// By the check of whole motions, which shares nothing with the search.
 void expectFree(const manipulation::PlannedWay& way) {
-  trajectory::Trajectory motion;
-  motion.entity = "box";
-  for (std::size_t i = 0; i < way.X_WM.size(); ++i)
-    motion.addFrame({.t = static_cast<double>(i), .X_WT = way.X_WM[i]});
-  const auto checked = manipulation::checkPath(prepared(), "box", motion, {}, {});
-  ASSERT_TRUE(checked.has_value()) << checked.error().message();
-  EXPECT_TRUE(checked->findings.empty());
+  test::expectFree(way.X_WM);
 }
 
 TEST(LivePlanner, LeadsThroughTheWindow) {
