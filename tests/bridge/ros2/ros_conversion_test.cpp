@@ -6,6 +6,7 @@
 #include "bridge/ros2/cell_publisher.h"
 #include "bridge/ros2/ros_listener.h"
 #include "bridge/ros2/ros_node.h"
+#include "bridge/ros2/type_hashes.h"
 
 namespace hapticell::bridge {
 namespace {
@@ -98,6 +99,24 @@ TEST(CellPublisher, MissingCellIsAnError) {
   PublishOptions options;
   options.workcell = "/nowhere/cell.hcell";
   EXPECT_FALSE(publishCell(options, stop));
+}
+
+// As `ros2 topic info --verbose` of ROS 2 Jazzy prints them.
+TEST(TypeHashes, AreThoseThatRosPublishes) {
+  const std::pair<const char*, const char*> published[] = {
+      {"std_msgs::msg::dds_::String_", "df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"},
+      {"rosgraph_msgs::msg::dds_::Clock_", "692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"},
+      {"sensor_msgs::msg::dds_::JointState_", "a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"},
+      {"tf2_msgs::msg::dds_::TFMessage_", "e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"},
+      {"geometry_msgs::msg::dds_::PoseStamped_", "10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"},
+      {"geometry_msgs::msg::dds_::WrenchStamped_", "8dc3deaf06b2ab281f9f9a742a8961c328ca7cec16e3fd6586d3a5c83fa78f77"},
+      {"trajectory_msgs::msg::dds_::JointTrajectory_",
+       "179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e"},
+      {"visualization_msgs::msg::dds_::MarkerArray_",
+       "86cb8800b6fb05b5eff1abd7a56f62a5641d3ae9a1c29e78e67e704f1d067dcf"}};
+  for (const auto& [type, hash] : published) EXPECT_EQ(typeHash(type), "RIHS01_" + std::string(hash)) << type;
+  for (const char* other : {"", "std_msgs::msg::dds_::String", "std_msgs/msg/String", "std_msgs::msg::dds_::Header_"})
+    EXPECT_TRUE(typeHash(other).empty()) << other;
 }
 
 }  // namespace

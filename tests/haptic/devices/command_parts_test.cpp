@@ -2,16 +2,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cmath>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "haptic/devices/command_steps.h"
 #include "haptic/devices/device_care.h"
 #include "haptic/devices/hand_path.h"
 #include "haptic/devices/hand_path_units.h"
+#include "haptic/devices/input_reader.h"
 #include "haptic/devices/simulated_hand.h"
+#include "haptic/devices/system_access.h"
+#include "tests/haptic/devices/scripted_driver.h"
 
 namespace hapticell::haptic {
 namespace {
@@ -148,6 +156,86 @@ TEST(SimulatedHand, ItsIntentGoesFromWhereItIsToItsGoalNoFasterThanAHand) {
   hand.release();
   EXPECT_FALSE(hand.holding());
   EXPECT_LT(HandOptions::loose().damping, HandOptions::firm().damping);
+}
+
+TEST(SystemAccess, WhatIsNotGrantedSaysHowToGrantIt) {
+  std::set<std::string> what;
+  for (const SystemGrant& grant : systemGrants()) {
+    EXPECT_TRUE(what.insert(grant.what).second) << grant.what;
+    EXPECT_FALSE(grant.found.empty()) << grant.what;
+    EXPECT_EQ(grant.fix.empty(), grant.granted) << grant.what;
+    if (!grant.fix.empty()) {
+      EXPECT_THAT(grant.fix, ::testing::HasSubstr("sudo ")) << grant.what;
+    }
+  }
+  EXPECT_EQ(what.count("real-time priority"), 1u);
+  EXPECT_THAT(what, ::testing::SizeIs(4));
+  EXPECT_THAT(priorityFix(), ::testing::AnyOf(::testing::HasSubstr("rtprio"), ::testing::HasSubstr("usermod")));
+  EXPECT_THAT(lockedMemoryFix(), ::testing::AnyOf(::testing::HasSubstr("memlock"), ::testing::HasSubstr("usermod")));
+}
+
+TEST(SystemAccess, LockedMemoryIsGrantedAsTheSystemLimitsIt) {
+  rlimit limit{};
+  ASSERT_EQ(::getrlimit(RLIMIT_MEMLOCK, &limit), 0);
+  for (const SystemGrant& grant : systemGrants()) {
+    if (grant.what != "locked memory") continue;
+    EXPECT_EQ(grant.granted, ::geteuid() == 0 || limit.rlim_cur == RLIM_INFINITY);
+  }
+}
+
+/// Waits up to half a minute: a wait that is ever that long is a fault.
+template <typename Condition>
+bool comesTrue(Condition&& good) {
+  for (int i = 0; i < 30000; ++i) {
+    if (good()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+TEST(InputReader, HandsOutTheNewestStateAndEveryPressOfAButton) {
+  driver::ScriptedDriver driver;
+  driver.device.about.kind = driver::Kind::kGlove;
+  driver.device.about.vibrators = 6;
+  {
+    InputReader reader(driver, "");
+    ASSERT_TRUE(comesTrue([&] { return reader.latest().open && reader.latest().measurements > 0; }));
+    EXPECT_EQ(reader.latest().capabilities.kind, driver::Kind::kGlove);
+    EXPECT_EQ(reader.takePressed(), 0u);
+    const auto set = [&](double thumb, std::uint32_t buttons) {
+      const std::scoped_lock lock(driver.device.mutex);
+      driver.device.state.sensors[0] = thumb;
+      driver.device.state.buttons = buttons;
+    };
+    set(117.0, 0b101);
+    ASSERT_TRUE(comesTrue([&] { return reader.latest().state.sensors[0] == 117.0; }));
+    set(118.0, 0b010);
+    ASSERT_TRUE(comesTrue([&] { return reader.latest().state.sensors[0] == 118.0; }));
+    EXPECT_EQ(reader.takePressed(), 0b111u) << "also those that are released again";
+    EXPECT_EQ(reader.takePressed(), 0u) << "each once";
+    reader.vibrate({0.25, 0.0, 0.0, 0.0, 0.0, 1.0});
+    EXPECT_TRUE(comesTrue([&] {
+      const std::scoped_lock lock(driver.device.mutex);
+      return driver.device.commands.back().vibration[0] == 0.25 && driver.device.commands.back().vibration[5] == 1.0;
+    }));
+    EXPECT_TRUE(reader.takeNews().empty());
+    driver.device.fail(driver::Status::kVanished, "the glove was unplugged");
+    ASSERT_TRUE(comesTrue([&] { return !reader.latest().open; }));
+    EXPECT_THAT(reader.latest().problem, ::testing::HasSubstr("the glove was unplugged"));
+    EXPECT_THAT(reader.takeNews(), ::testing::Contains(::testing::HasSubstr("the glove was unplugged")));
+    EXPECT_TRUE(reader.takeNews().empty()) << "each once";
+  }
+  EXPECT_GE(driver.opened, 1);
+  EXPECT_EQ(driver.opened, driver.closed) << "closed with its reader";
+}
+
+TEST(InputReader, SaysWhyADeviceCannotBeOpened) {
+  driver::ScriptedDriver driver;
+  driver::refuse(driver.refuses, driver::Status::kInUse, "another program has it", "Close it.");
+  InputReader reader(driver, "");
+  ASSERT_TRUE(comesTrue([&] { return !reader.latest().problem.empty(); }));
+  EXPECT_EQ(reader.latest().problem, "Scripted: another program has it. Close it.");
+  EXPECT_FALSE(reader.latest().open);
 }
 
 }  // namespace

@@ -94,6 +94,76 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
   EXPECT_LT(test::placeError(at.X_WE, start.X_WE), 1e-6);
 }
 
+/// How far the feet of two configurations are from each other, m.
+double feetMoved(const workcell::Entity& entity, const EntityConfiguration& from, const EntityConfiguration& to) {
+  double worst = 0.0;
+  for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight})
+    worst = std::max(worst, glm::distance(mannequin::footPose(poseOf(entity, from), side).p,
+                                          mannequin::footPose(poseOf(entity, to), side).p));
+  return worst;
+}
+
+TEST(PostureFinder, SolvesAnewWithTheHandAtThePlaceAndTheFeetWhereTheyAre) {
+  const workcell::Entity entity = worker("standing");
+  const EntityConfiguration start{entity.X_WE, entity.joints()};
+  const MannequinManipulator hand(entity.figure(), entity.robot(), Hands::kRight, {}, start, partsOf(entity));
+  const PostureFinder* const finder = hand.postureFinder();
+  ASSERT_NE(finder, nullptr);
+  const mannequin::Posture stands = mannequin::toPosture(*entity.figure(), {start.X_WE, start.joints});
+  const dvec3 place = hand.movedFrame(start).p + dvec3(0.35, 0.05, 0.45);
+  for (const auto from : {PostureFinder::StartFrom::kPresent, PostureFinder::StartFrom::kUpright}) {
+    const auto found = finder->solvedFrom(start, place, from, {});
+    ASSERT_FALSE(found.empty());
+    double before = 0.0;
+    for (const EntityConfiguration& each : found) {
+      EXPECT_LT(glm::distance(hand.movedFrame(each).p, place), 1e-3);
+      EXPECT_LT(feetMoved(entity, start, each), 3e-4);
+      const mannequin::Posture posture = mannequin::toPosture(*entity.figure(), {each.X_WE, each.joints});
+      EXPECT_TRUE(mannequin::limitViolations(posture, 1e-4).empty());
+      double turns = 0.0;
+      for (const double turn : mannequin::turnsBetween(stands, posture)) turns += turn * turn;
+      EXPECT_GE(turns, before - 1e-6) << "the nearest first";
+      before = turns;
+    }
+    EXPECT_TRUE(finder->solvedFrom(start, place, from, [] { return true; }).empty()) << "interrupted";
+    EXPECT_TRUE(finder->solvedFrom(start, place + dvec3(5.0, 0.0, 0.0), from, {}).empty()) << "out of reach";
+  }
+}
+
+TEST(PostureFinder, StandsUprightOnTheSameFeetAndBeforeAPlace) {
+  const workcell::Entity entity = worker("reaching");
+  EntityConfiguration start{entity.X_WE, entity.joints()};
+  const double yaw = 0.8;
+  const Pose turned{{1.0, -2.0, 0.0}, glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0))};
+  start.X_WE = turned * start.X_WE;
+  const MannequinManipulator hand(entity.figure(), entity.robot(), Hands::kRight, {}, start, partsOf(entity));
+  const PostureFinder& finder = *hand.postureFinder();
+  EXPECT_LT(glm::distance(finder.facing_W(start), dvec3(std::cos(yaw), std::sin(yaw), 0.0)), 0.05);
+  const auto upright = finder.upright(start);
+  ASSERT_EQ(upright.size(), 2u);
+  for (const EntityConfiguration& each : upright) {
+    const auto pose = poseOf(entity, each);
+    EXPECT_LT(glm::distance(0.5 * (mannequin::footPose(pose, mannequin::Side::kLeft).p +
+                                   mannequin::footPose(pose, mannequin::Side::kRight).p),
+                            0.5 * (mannequin::footPose(poseOf(entity, start), mannequin::Side::kLeft).p +
+                                   mannequin::footPose(poseOf(entity, start), mannequin::Side::kRight).p)),
+              1e-3)
+        << "between the same feet";
+    EXPECT_GT(pose[mannequin::Segment::kThorax].R_WS[2].z, 0.98) << "the trunk is upright";
+  }
+  const dvec3 place(4.0, 3.0, 1.1);
+  const auto before = finder.uprightBefore(start, place);
+  ASSERT_EQ(before.size(), 2u);
+  for (const EntityConfiguration& each : before) {
+    const dvec3 hips = mannequin::middleOfHips(poseOf(entity, each)), facing = finder.facing_W(each);
+    const dvec3 way = place - hips;
+    EXPECT_GT(glm::dot(dvec3(way.x, way.y, 0.0), facing), 0.2) << "the place is in front";
+    EXPECT_LT(glm::length(dvec3(way.x, way.y, 0.0)), 0.8) << "within an arm's length";
+    EXPECT_NEAR(each.X_WE.p.z, start.X_WE.p.z, 1e-9) << "on the floor";
+  }
+  EXPECT_LT(glm::distance(finder.facing_W(before[1]), finder.facing_W(start)), 1e-6) << "or facing as before";
+}
+
 /// The centre of mass inside the soles' edge (m; negative: outside) after the right hand was drawn `way`, held as a
 /// user takes it.
 double marginAfter(const std::vector<workcell::Entity>& cell, const dvec3& way) {

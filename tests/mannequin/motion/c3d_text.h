@@ -65,13 +65,13 @@ struct C3dFile {
   bool real = true;
   int frames = 20;
   std::vector<std::string> labels{"M1", "M2", "M3"};
-  std::function<std::optional<dvec3>(int frame, int marker)> place;  ///< In the file's unit; nothing: not seen.
-  double scale = 0.05;                                               ///< With which whole numbers are written.
-  int analog = 0;                                                    ///< Numbers a frame that stand in the file.
-  std::optional<int> header_analog, header_first, header_last, header_block, header_points;
-  std::optional<double> header_scale;
-  std::optional<double> parameter_scale, analog_used, analog_rate, long_frames;
-  std::optional<int> parameter_start, parameter_frames;
+  std::function<std::optional<dvec3>(int frame, int marker)> place{};  ///< In the file's unit; nothing: not seen.
+  double scale = 0.05;                                                 ///< With which whole numbers are written.
+  int analog = 0;                                                      ///< Numbers a frame that stand in the file.
+  std::optional<int> header_analog{}, header_first{}, header_last{}, header_block{}, header_points{};
+  std::optional<double> header_scale{};
+  std::optional<double> parameter_scale{}, analog_used{}, analog_rate{}, long_frames{};
+  std::optional<int> parameter_start{}, parameter_frames{};
   std::optional<std::string> unit = "mm", up = "+Z";
   bool last_link_swapped = false;
   double rate = 100.0;

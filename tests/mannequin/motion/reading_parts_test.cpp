@@ -8,8 +8,11 @@
 #include <cstdint>
 #include <string>
 
+#include "mannequin/motion/c3d_layout.h"
 #include "mannequin/motion/c3d_numbers.h"
+#include "mannequin/motion/marker_up.h"
 #include "mannequin/motion/word_reader.h"
+#include "tests/mannequin/motion/c3d_text.h"
 
 namespace hapticell::mannequin {
 namespace {
@@ -122,6 +125,121 @@ TEST(C3dNumbers, NoNumbersAndEnormousOnesAreNothing) {
                               bytesOfWord(static_cast<std::uint16_t>(bits >> 16), false);
     EXPECT_FALSE(C3dBytes(bytes, C3dProcessor::kIntel).real(0)) << bad;
   }
+}
+
+C3dLayout layoutOf(const test::C3dFile& file) {
+  const std::string bytes = file.bytes();
+  const auto parameters = C3dParameters::read(bytes, "x.c3d");
+  EXPECT_TRUE(parameters);
+  const auto layout = c3dLayout(*parameters, "x.c3d");
+  EXPECT_TRUE(layout) << (layout ? "" : layout.error().message());
+  if (!layout) return {};
+  // The file ends with its last frame: from the end backwards, by hand.
+  EXPECT_EQ(bytes.size() - layout->data_at, layout->frames * layout->rowBytes());
+  return *layout;
+}
+
+bool saysSo(const C3dLayout& layout, const std::string& words) {
+  return std::any_of(layout.warnings.begin(), layout.warnings.end(),
+                     [&](const Text& warning) { return english(warning).find(words) != std::string::npos; });
+}
+
+TEST(C3dLayout, IsWhatHeaderAndParametersSayWhereTheyAgree) {
+  const C3dLayout real = layoutOf({.analog = 2});
+  EXPECT_EQ(real.rowBytes(), (4u * 3u + 2u) * 4u);
+  EXPECT_EQ(real.frames, 20u);
+  EXPECT_EQ(real.scale, 1.0);
+  EXPECT_TRUE(real.warnings.empty());
+  const C3dLayout whole = layoutOf({.processor = 86, .real = false, .scale = 0.05, .parameter_scale = 0.05});
+  EXPECT_EQ(whole.rowBytes(), 4u * 3u * 2u);
+  EXPECT_NEAR(whole.scale, 0.05, 1e-7);
+  EXPECT_TRUE(whole.warnings.empty());
+}
+
+TEST(C3dLayout, IsWhatFillsTheFileWhereTheyDisagree) {
+  const C3dLayout longer = layoutOf({.frames = 60, .header_last = 12});
+  EXPECT_EQ(longer.frames, 60u);
+  EXPECT_TRUE(saysSo(longer, "12 frames")) << "what the header states";
+  const C3dLayout moved = layoutOf({.parameter_start = 2});
+  EXPECT_EQ(moved.frames, 20u);
+  EXPECT_TRUE(saysSo(moved, "where the points begin"));
+  const C3dLayout analog =
+      layoutOf({.frames = 60, .analog = 6, .header_analog = 3, .analog_used = 3.0, .analog_rate = 200.0});
+  EXPECT_EQ(analog.analog, 6u) << "3 channels, twice as often as the points";
+  EXPECT_TRUE(saysSo(analog, "analog samples"));
+  const C3dLayout format = layoutOf({.real = false, .parameter_scale = -0.05});
+  EXPECT_FALSE(format.real);
+  EXPECT_TRUE(saysSo(format, "integers match the file size"));
+  const C3dLayout scales = layoutOf({.real = false, .scale = 0.05, .parameter_scale = 0.1});
+  EXPECT_NEAR(scales.scale, 0.05, 1e-7) << "the header's, with which they were written";
+  EXPECT_TRUE(saysSo(scales, "scale of the points"));
+}
+
+TEST(C3dLayout, RefusesAFileThatEndsBeforeItsFrames) {
+  const std::string bytes = test::C3dFile{}.bytes();
+  const auto parameters = C3dParameters::read(std::string_view(bytes).substr(0, bytes.size() - 700), "cut.c3d");
+  ASSERT_TRUE(parameters);
+  const auto layout = c3dLayout(*parameters, "cut.c3d");
+  ASSERT_FALSE(layout);
+  // 20 frames of 48 bytes, 700 are missing.
+  EXPECT_NE(layout.error().message().find("5 frames"), std::string::npos) << layout.error().message();
+  EXPECT_NE(layout.error().message().find("20 frames"), std::string::npos) << layout.error().message();
+}
+
+TEST(MarkerUp, KnowsHowHighAMarkerIsWorn) {
+  const std::pair<const char*, int> known[] = {{"LFHD", 3},  {"Subject:RBHD", 3}, {"C7", 2},    {"LSHO", 2},
+                                               {"CLAV", 2},  {"RASI", 1},         {"SACR", 1},  {"LKNE", 0},
+                                               {"RANK", -1}, {"team|LTOE", -1},   {"LHEE", -1}, {"r shoulder", 2}};
+  for (const auto& [name, height] : known) EXPECT_EQ(marker_up::heightOf(name), height) << name;
+  for (const char* name : {"LWRA", "marker 7", "", "X:"}) EXPECT_FALSE(marker_up::heightOf(name)) << name;
+}
+
+/// A person who stands along the axis `up` of the file and goes 1 m along the next.
+MarkerClip standingClip(int up, std::vector<std::string> names) {
+  MarkerClip clip;
+  clip.names = std::move(names);
+  constexpr std::array kHeights = {1.7, 1.4, 0.95, 0.08};
+  for (int frame = 0; frame < 50; ++frame) {
+    for (std::size_t m = 0; m < clip.names.size(); ++m) {
+      dvec3 p(0.0);
+      p[up] = kHeights[m];
+      p[(up + 1) % 3] = 0.02 * frame;
+      p[(up + 2) % 3] = 0.1 * static_cast<double>(m % 2);
+      clip.places.push_back(p);
+    }
+  }
+  return clip;
+}
+
+TEST(MarkerUp, TheBodyTellsWhichAxisIsUpUnlessTheUserDoes) {
+  const std::vector<std::string> names{"LFHD", "LSHO", "LASI", "LANK"}, none{"M1", "M2", "M3", "M4"};
+  constexpr std::array kAxes = {UpAxis::kX, UpAxis::kY, UpAxis::kZ};
+  for (int up = 0; up < 3; ++up) {
+    for (const auto& labels : {names, none}) {
+      MarkerClip clip = standingClip(up, labels);
+      turnUpright(clip, std::nullopt, "");
+      EXPECT_EQ(clip.up, kAxes[static_cast<std::size_t>(up)]);
+      EXPECT_NEAR(clip.at(7, 0)->z, 1.7, 1e-12) << "the head's height, turned upright";
+      EXPECT_EQ(clip.warnings.size(), 1u) << "that it was assumed";
+    }
+  }
+  MarkerClip stated = standingClip(1, names);
+  turnUpright(stated, std::nullopt, "+Y");
+  EXPECT_EQ(stated.up, UpAxis::kY);
+  EXPECT_TRUE(stated.warnings.empty()) << "the file states it, and the body agrees";
+  MarkerClip contradicted = standingClip(1, names);
+  turnUpright(contradicted, std::nullopt, "+Z");
+  EXPECT_EQ(contradicted.up, UpAxis::kY) << "the body wins over the file";
+  EXPECT_EQ(contradicted.warnings.size(), 1u);
+  MarkerClip told = standingClip(1, names);
+  turnUpright(told, UpAxis::kMinusX, "+Y");
+  EXPECT_EQ(told.up, UpAxis::kMinusX) << "the user wins over both";
+  EXPECT_EQ(told.warnings.size(), 1u);
+  EXPECT_NEAR(told.at(7, 1)->z, -0.1, 1e-12) << "minus the file's x";
+  MarkerClip lying = standingClip(0, none);
+  for (auto& p : lying.places) p->x *= 0.1;
+  turnUpright(lying, std::nullopt, "");
+  EXPECT_EQ(lying.up, UpAxis::kZ) << "assumed where nothing shows it";
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "mannequin/posture/dual_system.h"
+
 namespace hapticell::mannequin {
 namespace {
 
@@ -129,6 +131,65 @@ TEST(BoundedStep, WhatIsWithinReachIsMetWithoutTouchingABound) {
     EXPECT_NEAR(reached, problem.e[r], 1e-3);
   }
   for (const std::int8_t side : active) EXPECT_EQ(side, 0);
+}
+
+/// How far `y` is from solving (J D^-1 J^T + R) y = e - J dq0 over the free variables, relative to the size of the
+/// terms. The matrix is positive definite, so that only one y solves it.
+double residualOf(const StepProblem& p, const ActiveSet& active, const Rows& y) {
+  double worst = 0.0;
+  for (std::size_t r = 0; r < kTaskRows; ++r) {
+    double sum = p.R[r] * y[r] - p.e[r], size = std::abs(p.R[r] * y[r]) + std::abs(p.e[r]);
+    for (std::size_t i = 0; i < kVariables; ++i) {
+      double term = 0.0;
+      if (active[i] == 0) {
+        for (std::size_t c = 0; c < kTaskRows; ++c) term += p.J[i][c] * y[c];
+        term = p.wish[i] + term / p.D[i];
+      } else {
+        term = active[i] < 0 ? p.lower[i] : p.upper[i];
+      }
+      sum += p.J[i][r] * term;
+      size += std::abs(p.J[i][r] * term);
+    }
+    worst = std::max(worst, std::abs(sum) / std::max(size, 1e-12));
+  }
+  return worst;
+}
+
+TEST(DualSystem, SkipsOnlyRowsThatAVariableCannotTouch) {
+  for (int v = 0; v < kVariables; ++v) {
+    const RowRanges rows = rowsOf(v, false), coupled = rowsOf(v, true);
+    for (int r = 0; r < kTaskRows; ++r) {
+      const auto has = [r](const RowRanges& of) {
+        return (r >= of.begin_a && r < of.end_a) || (r >= of.begin_b && r < of.end_b);
+      };
+      const bool of_left_arm = v >= kArmVariable && v < kArmVariable + 9;
+      EXPECT_EQ(has(rows), touches(v, r)) << v << " " << r;
+      EXPECT_EQ(has(coupled), touches(v, r) || (of_left_arm && r >= kHandRow + 6)) << v << " " << r;
+    }
+  }
+}
+
+TEST(DualSystem, SolvesItsEquationsAfterAnyChangesOfSides) {
+  std::mt19937_64 random(8);
+  for (int n = 0; n < 40; ++n) {
+    StepProblem problem = randomProblem(random, 1e-3);
+    problem.arms_coupled = n % 2 == 1;
+    if (problem.arms_coupled) {
+      for (std::size_t v = kArmVariable; v < kArmVariable + 9; ++v)
+        for (std::size_t r = kHandRow + 6; r < kTaskRows; ++r) problem.J[v][r] = uniform(random, -0.6, 0.6);
+    }
+    ActiveSet active{};
+    DualSystem system(problem, active);
+    EXPECT_LT(residualOf(problem, active, system.solve()), 1e-9);
+    // Few changes are updates of the factors, many factorise afresh.
+    for (const int changes : {0, 1, 3, kMostUpdates, 1, 40, 2, 5}) {
+      const ActiveSet before = active;
+      for (int k = 0; k < changes; ++k)
+        active[random() % kVariables] = static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1);
+      EXPECT_EQ(system.takeOver(active), active == before);
+      EXPECT_LT(residualOf(problem, active, system.solve()), 1e-8) << changes << " changes";
+    }
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "mannequin/posture/sine_cosine.h"
+#include "mannequin/posture/segment_places.h"
 #include "tests/mannequin/posture/random_postures.h"
 
 namespace hapticell::mannequin {
@@ -50,6 +50,36 @@ TEST(ForwardKinematics, AgreesWithTurnsTakenOneByOne) {
       const Twist error = difference(fast.segments[i].pose(), slow[i]);
       EXPECT_LT(glm::length(error.linear), 1e-12);
       EXPECT_LT(glm::length(error.angular), 1e-7);  // The quaternion of a matrix is good to half the digits only.
+    }
+  }
+}
+
+TEST(SegmentPlaces, HangOnTheRootThatIsAlreadyPlaced) {
+  std::mt19937_64 random(4);
+  const Figure figure = *makeFigure({Sex::kMale, 1.8});
+  const Pose X = Pose{{3.0, -2.0, 0.5}, quaternionFromRotationVector({0.4, -1.0, 2.0})};
+  for (int n = 0; n < 50; ++n) {
+    const Posture posture = randomPosture(random);
+    SineCosine sc;
+    for (std::size_t i = 0; i < kDofCount; ++i) {
+      sc.sine[i] = std::sin(posture.angles[i]);
+      sc.cosine[i] = std::cos(posture.angles[i]);
+    }
+    BallRotations balls;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const std::size_t i = static_cast<std::size_t>(side);
+      balls[i] = ballRotationOf(posture, armDof(side, Dof::kLeftShoulderFlexion));
+      balls[2 + i] = ballRotationOf(posture, legDof(side, Dof::kLeftHipFlexion));
+    }
+    FigurePose pose;
+    const Pose moved_root = X * posture.X_WR;
+    pose[Segment::kPelvis] = {glm::mat3_cast(moved_root.q), moved_root.p};
+    placeSegments(figure, sc, balls, pose);
+    const auto slow = slowKinematics(figure, posture);
+    for (std::size_t i = 0; i < kSegmentCount; ++i) {
+      const Twist error = difference(pose.segments[i].pose(), X * slow[i]);
+      EXPECT_LT(glm::length(error.linear), 1e-12) << segmentInfo(static_cast<Segment>(i)).name;
+      EXPECT_LT(glm::length(error.angular), 1e-7) << segmentInfo(static_cast<Segment>(i)).name;
     }
   }
 }

@@ -7,10 +7,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/closures/delta_robot.h"
 #include "tests/support/test_data.h"
 #include "tests/workcell/robots/urdf_text.h"
+#include "workcell/robots/parallel_kind_reader.h"
+#include "workcell/robots/robot_body.h"
 #include "workcell/robots/robot_library.h"
 #include "workcell/robots/robot_toml.h"
+#include "workcell/robots/robot_toml_common.h"
+#include "workcell/robots/robot_toml_reader.h"
+#include "workcell/robots/serial_kind_reader.h"
 #include "workcell/robots/urdf_elements.h"
 #include "workcell/robots/urdf_lines.h"
 #include "workcell/robots/urdf_shapes.h"
@@ -253,6 +259,170 @@ TEST(RobotToml, ADenavitHartenbergTableGivesItsChain) {
   EXPECT_THAT(refused("payload = 3", "paylod = 3"), HasSubstr("paylod"));
   EXPECT_THAT(refused("theta = [0, 0]", "theta = [0, \"x\"]"), Not(IsEmpty()));
   EXPECT_THAT(refused("name = \"two\"", "name = "), Not(IsEmpty()));
+}
+
+const std::string kHead = "format = \"hapticell-robot\"\nversion = 1\nname = \"two\"\nunit = \"mm\"\n";
+const std::string kTwoRows =
+    "[dh]\nconvention = \"standard\"\nd = [300, 50]\na = [100, 400]\nalpha = [90, 30]\n"
+    "types = [\"revolute\", \"prismatic\"]\n";
+const std::string kTwoJoints =
+    "[joints]\nlower = [-90, -20]\nupper = [90, 30]\nvelocity = [180, 500]\nhome = [10, 20]\n";
+
+TEST(RobotTomlCommon, JointsTurnInDegreesAndSlideInTheUnitOfLength) {
+  const toml::table root = toml::parse(kHead + kTwoJoints);
+  RobotTomlCommon common(root, "/robots/two.toml");
+  common.readHead();
+  common.readLook();
+  common.readJoints();
+  EXPECT_EQ(common.sheet().name, "two");
+  EXPECT_DOUBLE_EQ(common.unit(), 1e-3);
+  EXPECT_EQ(common.style(), BodyStyle::kOfTheKind);
+  EXPECT_EQ(common.jointCount(), 2u);
+  const auto joints = common.jointData({false, true});
+  ASSERT_FALSE(common.error());
+  ASSERT_THAT(joints, SizeIs(2));
+  EXPECT_NEAR(joints[0].upper, 0.5 * std::numbers::pi, 1e-15);
+  EXPECT_NEAR(joints[0].velocity, std::numbers::pi, 1e-15);
+  EXPECT_NEAR(joints[1].lower, -0.02, 1e-15);
+  EXPECT_NEAR(joints[1].velocity, 0.5, 1e-15);
+  EXPECT_NE(joints[0].name, joints[1].name);
+  ASSERT_THAT(common.rest(), SizeIs(2));
+  EXPECT_NEAR(common.rest()[1], 0.02, 1e-15);
+}
+
+TEST(RobotTomlCommon, KeepsTheFirstProblemWithItsFile) {
+  const toml::table root = toml::parse(kHead + kTwoJoints);
+  RobotTomlCommon common(root, "/robots/two.toml");
+  common.readHead();
+  common.readJoints();
+  common.jointData({false, false, false});
+  ASSERT_TRUE(common.error());
+  common.failWith({.found = "a later one"}, nullptr);
+  EXPECT_THAT(common.failure().message(), HasSubstr("/robots/two.toml"));
+  EXPECT_THAT(common.failure().message(), HasSubstr("one per joint"));
+  EXPECT_THAT(common.failure().message(), Not(HasSubstr("later")));
+}
+
+TEST(SerialKindReader, MakesTheChainWithItsBody) {
+  const toml::table root = toml::parse(kHead + kTwoRows + kTwoJoints);
+  RobotTomlCommon common(root, "two.toml");
+  common.readHead();
+  common.readJoints();
+  kinematics::RobotModel model;
+  SerialKindReader(common, model).readDh();
+  ASSERT_FALSE(common.error()) << common.failure().message();
+  EXPECT_EQ(model.dof(), 2u);
+  const kinematics::Joint& second = model.joints[static_cast<std::size_t>(model.moving[1])];
+  EXPECT_EQ(second.type, kinematics::JointType::kPrismatic);
+  EXPECT_NEAR(second.upper, 0.03, 1e-15);
+  std::size_t shapes = 0;
+  for (const kinematics::Link& link : model.links) shapes += link.visuals.size();
+  EXPECT_GT(shapes, 2u);
+  const toml::table broken = toml::parse(kHead + "[dh]\nconvention = \"standard\"\nd = [1]\na = [1, 2]\nalpha = [0]\n");
+  RobotTomlCommon other(broken, "broken.toml");
+  SerialKindReader(other, model).readDh();
+  ASSERT_TRUE(other.error());
+  EXPECT_THAT(other.failure().message(), HasSubstr("unequal length"));
+}
+
+TEST(ParallelKindReader, MakesADeltaWhoseLoopsAreClosed) {
+  const toml::table root = toml::parse(
+      kHead +
+      "[delta]\nbase_radius = 140\nupper_arm = 565\nlower_arm = 1260\nplatform_radius = 75\nrod_spacing = 160\n"
+      "[joints]\nlower = [-40, -40, -40]\nupper = [80, 80, 80]\n");
+  RobotTomlCommon common(root, "delta.toml");
+  common.readHead();
+  common.readJoints();
+  kinematics::RobotModel model;
+  Diagnostics notes;
+  ParallelKindReader(common, model, notes).readDelta();
+  ASSERT_FALSE(common.error()) << common.failure().message();
+  EXPECT_TRUE(model.closure);
+  EXPECT_EQ(model.dof(), 3u);
+  const toml::table none = toml::parse(kHead + "[delta]\nbase_radius = 140\n");
+  RobotTomlCommon other(none, "none.toml");
+  ParallelKindReader(other, model, notes).readDelta();
+  ASSERT_TRUE(other.error());
+  EXPECT_THAT(other.failure().message(), HasSubstr("upper_arm"));
+}
+
+TEST(RobotTomlReader, ReadsOneKindAndItsTools) {
+  const std::string tool = "[[tool]]\nname = \"pen\"\nposition = [0, 0, 120]\n";
+  const auto read = [](const std::string& text) {
+    const toml::table root = toml::parse(text);
+    Diagnostics notes;
+    return RobotTomlReader(root, "r.toml", notes).read();
+  };
+  const auto robot = read(kHead + kTwoRows + kTwoJoints + tool);
+  ASSERT_TRUE(robot) << robot.error().message();
+  EXPECT_EQ(robot->model.name, "two");
+  ASSERT_THAT(robot->tools, SizeIs(1));
+  EXPECT_EQ(robot->tools[0].tip_link, robot->model.links[static_cast<std::size_t>(robot->model.defaultTip())].name);
+  EXPECT_NEAR(robot->tools[0].X_LT.p.z, 0.12, 1e-15);
+  const auto two = read(kHead + kTwoRows + "[opw]\nc1 = 1\n" + kTwoJoints);
+  ASSERT_FALSE(two);
+  EXPECT_THAT(two.error().message(), HasSubstr("both [opw] and [dh]"));
+  const auto none = read(kHead);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message(), HasSubstr("no table defines how the robot moves"));
+  const toml::table root = toml::parse(kHead);
+  Diagnostics notes;
+  EXPECT_EQ(RobotTomlReader(root, "r.toml", notes).readSheet()->name, "two") << "a sheet needs no kind";
+}
+
+std::vector<kinematics::JointData> jointsOf(std::size_t count) {
+  std::vector<kinematics::JointData> joints;
+  for (std::size_t k = 0; k < count; ++k) joints.push_back({"j" + std::to_string(k), -1.0, 1.0, 1.0});
+  return joints;
+}
+
+/// Triangles of what is seen, and of what collides; both have to be there.
+std::pair<std::size_t, std::size_t> trianglesOf(const kinematics::RobotModel& model) {
+  std::pair<std::size_t, std::size_t> count{0, 0};
+  for (const kinematics::Link& link : model.links) {
+    for (const auto& shape : link.visuals) count.first += shape.mesh->triangles.size();
+    for (const auto& shape : link.collisions) count.second += shape.mesh->triangles.size();
+  }
+  return count;
+}
+
+TEST(RobotBody, EachKindHasShapesAndCoarserOnesThatCollide) {
+  kinematics::OpwParameters opw;
+  opw.a1 = 0.15;
+  opw.c1 = 0.45;
+  opw.c2 = 0.6;
+  opw.c3 = 0.64;
+  opw.c4 = 0.1;
+  kinematics::RobotModel arm = kinematics::buildOpw("arm", opw, jointsOf(6)), slim = arm, cobot = arm;
+  addArmBody(arm, opw, {});
+  RobotLook thin;
+  thin.bulk = 0.5;
+  addArmBody(slim, opw, thin);
+  addCobotBody(cobot, {});
+  const auto scaraRows = [] {
+    return std::vector<kinematics::DhRow>{{0, 0.3, 0.25, 0}, {0, 0, 0.25, std::numbers::pi}, {0, 0, 0, 0, true}, {}};
+  };
+  kinematics::RobotModel scara =
+      kinematics::buildDh("scara", kinematics::DhConvention::kStandard, scaraRows(), jointsOf(4), {});
+  addScaraBody(scara, {});
+  std::vector<kinematics::ChainJoint> axes(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    axes[k].data = jointsOf(3)[k];
+    axes[k].type = kinematics::JointType::kPrismatic;
+    axes[k].axis_J = {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+  }
+  kinematics::RobotModel gantry = kinematics::buildChain("gantry", axes, {});
+  addGantryBody(gantry, {});
+  for (const kinematics::RobotModel* model : {&arm, &slim, &cobot, &scara, &gantry}) {
+    const auto [seen, colliding] = trianglesOf(*model);
+    EXPECT_GT(colliding, 0u) << model->name;
+    EXPECT_LE(colliding, seen) << model->name;
+  }
+  const auto widthOf = [](const kinematics::RobotModel& model) {
+    const auto bounds = model.links[2].visuals.at(0).mesh->bounds();
+    return (bounds.max - bounds.min).y;
+  };
+  EXPECT_LT(widthOf(slim), widthOf(arm)) << "the upper arm";
 }
 
 }  // namespace

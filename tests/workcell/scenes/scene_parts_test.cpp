@@ -24,6 +24,7 @@
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_population.h"
 #include "workcell/scenes/sdf_robot.h"
+#include "workcell/scenes/sdf_source.h"
 #include "workcell/scenes/sdf_tidier.h"
 #include "workcell/scenes/sdf_xml.h"
 #include "workcell/scenes/whole_mesh.h"
@@ -408,6 +409,24 @@ TEST(WholeMesh, IsTheFileInMetres) {
   EXPECT_NEAR(metres->bounds().max.x, 1.0, 1e-12);
   EXPECT_NEAR(millimetres->bounds().max.x, 0.001, 1e-12);
   EXPECT_FALSE(readWholeMesh(folder.path() / "none.obj", {}, notes).has_value());
+}
+
+TEST(SdfOutline, CountsModelsAndThoseThatMove) {
+  const hapticell::test::TemporaryFolder folder;
+  const std::string
+      box = "<link name='l'><visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual></link>",
+      plane = "<link name='l'><visual name='v'><geometry><plane/></geometry></visual></link>",
+      joint = "<joint name='j' type='revolute'><parent>l</parent><child>l</child></joint>";
+  const auto outline = outlineOf(folder.write(
+      "w.sdf", "<sdf version='1.6'><world name='w'><model name='a'>" + box + "</model><model name='ground'>" + plane +
+                   "</model><model name='r'>" + box + joint + "</model></world></sdf>"));
+  ASSERT_TRUE(outline);
+  EXPECT_TRUE(outline->world);
+  EXPECT_EQ(outline->models, 2) << "the ground is no model to count";
+  EXPECT_EQ(outline->jointed, 1);
+  EXPECT_FALSE(outline->grouped);
+  EXPECT_FALSE(outlineOf(folder.write("no.sdf", "rubbish")));
+  EXPECT_FALSE(outlineOf(folder.path() / "none.sdf"));
 }
 
 }  // namespace

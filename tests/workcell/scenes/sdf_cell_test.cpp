@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "tests/support/test_data.h"
+#include "workcell/scenes/sdf_shapes.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -98,6 +99,45 @@ TEST(SdfCell, TheAriacWorldStands) {
   for (const char* name : {"part_disposal_bin", "bin1", "bin8"}) EXPECT_TRUE(named(name)) << name;
   EXPECT_GT(scene->meshes.size(), 5u);
   EXPECT_THAT(english(scene->warnings), HasSubstr("model://warehouse"));
+}
+
+TEST(SdfShapes, AMeshIsReadInGazebosAxesAndAMirroredOneKeepsItsOutside) {
+  test::TemporaryFolder folder;
+  folder.write(
+      "w.stl",
+      "solid w\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 2 0\nvertex 1 0 0\nendloop\nendfacet\n"
+      "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 3\nendloop\nendfacet\n"
+      "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 3\nvertex 0 2 0\nendloop\nendfacet\n"
+      "facet normal 1 1 1\nouter loop\nvertex 1 0 0\nvertex 0 2 0\nvertex 0 0 3\nendloop\nendfacet\nendsolid w\n");
+  const auto file = folder.write(
+      "m.sdf",
+      "<sdf version='1.6'><model name='m'><link name='l'><visual name='a'><geometry><mesh><uri>w.stl</uri><scale>1 1 -1"
+      "</scale></mesh></geometry></visual><visual name='b'><geometry><cylinder><radius>0.5</radius><length>2</length>"
+      "</cylinder></geometry></visual></link></model></sdf>");
+  EXPECT_EQ(asGazeboDoes().up_axis, UpAxis::kZ) << "Collada's own axis is not heeded";
+  const auto source = SdfSource::load(file, nullptr);
+  ASSERT_TRUE(source) << source.error().message();
+  ASSERT_EQ(source->models().size(), 1u);
+  ASSERT_EQ(source->meshFiles().size(), 1u);
+  EXPECT_EQ(source->meshFiles()[0].uri, "w.stl");
+  const auto& visuals = source->models()[0].links.at(0).visuals;
+  ASSERT_EQ(visuals.size(), 2u);
+  SdfShapes shapes(*source, asGazeboDoes(), nullptr);
+  const auto volumeOf = [](const geometry::TriangleMesh& mesh) {
+    double volume = 0.0;
+    for (const auto& t : mesh.triangles)
+      volume += glm::dot(mesh.vertices[t[0]], glm::cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
+    return volume;
+  };
+  const auto wedge = shapes.meshOf(visuals[0], "m");
+  ASSERT_TRUE(wedge);
+  EXPECT_NEAR(volumeOf(*wedge), 1.0, 1e-6) << "1 x 2 x 3 / 6, outside out though mirrored";
+  EXPECT_NEAR(wedge->bounds().min.z, -3.0, 1e-6);
+  EXPECT_EQ(shapes.meshOf(visuals[0], "again"), wedge) << "read once";
+  const auto cylinder = shapes.meshOf(visuals[1], "m");
+  ASSERT_TRUE(cylinder);
+  EXPECT_NEAR(cylinder->bounds().max.z - cylinder->bounds().min.z, 2.0, 1e-9);
+  EXPECT_FALSE(shapes.isCancelled());
 }
 
 }  // namespace

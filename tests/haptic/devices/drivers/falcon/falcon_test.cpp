@@ -7,6 +7,7 @@
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/falcon/falcon_arm.h"
 #include "haptic/devices/drivers/falcon/falcon_driver.h"
+#include "haptic/devices/drivers/falcon/falcon_firmware.h"
 #include "tests/haptic/devices/contact_rig.h"
 #include "tests/haptic/devices/drivers/falcon/fake_falcon.h"
 #include "tests/support/test_data.h"
@@ -320,6 +321,66 @@ TEST_F(Falcon, UnpluggedInContactAndPluggedInAgain) {
   rig.run(90, [&] { falcon.p_F.y -= 1e-4; });
   rig.run(100);
   EXPECT_GT(rig.force(), 0.5);
+}
+
+/// Notes how much is written at once.
+class MeasuredPort final : public FtdiPort {
+ public:
+  explicit MeasuredPort(FakeFalcon& falcon) : port_(falcon) {}
+  bool control(std::uint8_t request, std::uint16_t value) override { return port_.control(request, value); }
+  int read(std::span<std::uint8_t> to, int wait_ms) override { return port_.read(to, wait_ms); }
+  bool write(std::span<const std::uint8_t> bytes) override {
+    written.push_back(bytes.size());
+    return port_.write(bytes);
+  }
+  std::vector<std::size_t> written;
+
+ private:
+  FakeFalconPort port_;
+};
+
+TEST(FalconFirmware, IsUploadedInBlocksWhoseEchoesAreCompared) {
+  FakeFalcon falcon;
+  for (int i = 0; i < 62 * 3 + 10; ++i) falcon.wanted_firmware.push_back(static_cast<std::uint8_t>(31 * i));
+  falcon.echo_errors = 1;
+  MeasuredPort port(falcon);
+  EXPECT_FALSE(falconAnswers(port)) << "the boot loader is no firmware";
+  EXPECT_EQ(uploadFalconFirmware(port, falcon.wanted_firmware).status, Status::kOk);
+  EXPECT_EQ(falcon.uploads, 2) << "from the start after a wrong echo";
+  EXPECT_EQ(falcon.received, falcon.wanted_firmware);
+  EXPECT_TRUE(falconAnswers(port));
+  EXPECT_EQ(std::count(port.written.begin(), port.written.end(), 62u), 1 + 3);
+  EXPECT_EQ(std::count(port.written.begin(), port.written.end(), 10u), 1);
+  EXPECT_EQ(falcon.baud, 2) << "3 MHz / 2: 1.5 Mbaud";
+}
+
+TEST(FalconFirmware, GivesUpAfterTenAttempts) {
+  FakeFalcon falcon;
+  falcon.wanted_firmware.assign(100, 7);
+  falcon.drops_echo = true;
+  FakeFalconPort port(falcon);
+  const Problem problem = uploadFalconFirmware(port, falcon.wanted_firmware);
+  EXPECT_EQ(problem.status, Status::kGarbled);
+  EXPECT_THAT(problem.found, HasSubstr("ten attempts"));
+  EXPECT_EQ(falcon.uploads, 10);
+  EXPECT_FALSE(falcon.running);
+}
+
+TEST(FalconFirmware, ARunningOneIsKnownByItsAnswer) {
+  FakeFalcon falcon;
+  falcon.running = true;
+  FakeFalconPort port(falcon);
+  ASSERT_TRUE(setFalconRunning(port));
+  // FTDI's requests: 1 ms of latency, the divisor of 1.5 Mbaud, both buffers emptied.
+  EXPECT_EQ(falcon.controls, (std::vector<std::pair<int, int>>{{9, 1}, {3, 2}, {0, 1}, {0, 2}}));
+  falcon.garbage = 2;
+  EXPECT_TRUE(falconAnswers(port)) << "at the third question";
+  EXPECT_EQ(falcon.last_out.values[0], 0) << "asked by a packet without force";
+  falcon.silent = true;
+  EXPECT_FALSE(falconAnswers(port));
+  falcon.gone = true;
+  EXPECT_FALSE(falconAnswers(port));
+  EXPECT_FALSE(setFalconRunning(port));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "haptic/devices/driver_device.h"
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/drivers/haply/haply_driver.h"
+#include "haptic/devices/drivers/haply/web_socket.h"
 #include "tests/haptic/devices/contact_rig.h"
 #include "tests/haptic/devices/drivers/haply/fake_haply_service.h"
 
@@ -251,6 +252,57 @@ TEST(Haply, TheServiceEndsAndComesBack) {
   EXPECT_THAT(told.at(0), HasSubstr("service"));
   service = std::make_unique<FakeHaplyService>(port);
   EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kOk; }));
+}
+
+/// Waits up to half a minute: a wait that is ever that long is a fault.
+template <typename Condition>
+bool comesTrue(Condition&& good) {
+  for (int i = 0; i < 30000; ++i) {
+    if (good()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+TEST(WebSocket, GivesTheNewestTextAndSendsTheNewest) {
+  FakeHaplyService service;
+  Problem problem;
+  auto socket = WebSocket::connect(service.address() + "/any/path", 10000, problem);
+  ASSERT_NE(socket, nullptr) << problem.found;
+  EXPECT_TRUE(socket->isOpen());
+  EXPECT_TRUE(comesTrue([&] { return socket->read(100).has_value(); }));
+  // Texts that nobody reads are replaced: what is read is the last, once.
+  service.say("{\"n\":1}");
+  ASSERT_TRUE(comesTrue([&] { return socket->read(100) == "{\"n\":1}"; }));
+  service.say("{\"n\":2}");
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  service.silent = true;
+  ASSERT_TRUE(comesTrue([&] { return socket->read(100) == "{\"n\":2}"; }));
+  EXPECT_TRUE(comesTrue([&] { return !socket->read(20).has_value(); })) << "nothing newer";
+  for (int i = 0; i < 200; ++i) socket->send("{\"i\":" + std::to_string(i) + "}");
+  const auto last = [&] {
+    const auto command = service.lastCommand();
+    return command && command->contains("i") ? (*command)["i"].get<int>() : -1;
+  };
+  EXPECT_TRUE(comesTrue([&] { return last() == 199; }));
+  socket->send("{\"i\":1000}");
+  socket.reset();  // What was sent just before still leaves.
+  EXPECT_TRUE(comesTrue([&] { return last() == 1000; }));
+}
+
+TEST(WebSocket, KnowsThatTheOtherSideIsGoneOrNeverWas) {
+  auto service = std::make_unique<FakeHaplyService>();
+  const std::string address = service->address();
+  EXPECT_TRUE(WebSocket::isServed(address, 10000));
+  Problem problem;
+  const auto socket = WebSocket::connect(address, 10000, problem);
+  ASSERT_NE(socket, nullptr);
+  service.reset();
+  EXPECT_TRUE(comesTrue([&] { return !socket->isOpen(); }));
+  EXPECT_FALSE(WebSocket::isServed(address, 1000));
+  EXPECT_EQ(WebSocket::connect(address, 1000, problem), nullptr);
+  EXPECT_EQ(problem.status, Status::kNotFound);
+  EXPECT_THAT(problem.found, HasSubstr(address));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <clocale>
 
 #include "haptic/devices/driver_device.h"
+#include "haptic/devices/drivers/openhaptics/hd_library.h"
 #include "haptic/devices/drivers/openhaptics/open_haptics_driver.h"
 #include "tests/haptic/devices/contact_rig.h"
 #include "tests/haptic/devices/drivers/openhaptics/hd_stand_in.h"
@@ -360,6 +361,39 @@ TEST_F(OpenHaptics, UnpluggedInContact) {
   rig.run(100, [&] { hd.tick(); });
   EXPECT_FALSE(rig.loop.current().device_fault);
   EXPECT_FALSE(hd.force_output) << "forces may not come back by themselves";
+}
+
+TEST_F(OpenHaptics, ItsLibraryIsTheFirstThatCanBeLoaded) {
+  HdLibrary library;
+  EXPECT_FALSE(library.isLoaded());
+  EXPECT_EQ(library.load({"/nowhere/libHD.so.3", HAPTICELL_HD_STAND_IN, "/nowhere/other.so"}).status, Status::kOk);
+  EXPECT_TRUE(library.isLoaded());
+  EXPECT_EQ(library.file, HAPTICELL_HD_STAND_IN);
+  EXPECT_EQ(library.load({"/nowhere/libHD.so"}).status, Status::kOk) << "loaded once for all";
+  // The stand-in has the maker's numbers written out: the names here must be the same ones.
+  hd.reset();
+  const unsigned device = library.hdInitDevice("Default Device");
+  EXPECT_NE(device, driver::hd::kBadHandle);
+  EXPECT_EQ(library.hdGetError().code, 0u);
+  library.hdMakeCurrentDevice(device);
+  library.hdEnable(driver::hd::kForceOutput);
+  EXPECT_TRUE(hd.force_output);
+  library.hdDisable(driver::hd::kForceOutput);
+  EXPECT_FALSE(hd.force_output);
+  EXPECT_EQ(library.hdInitDevice("No such device"), driver::hd::kBadHandle);
+  EXPECT_EQ(library.hdGetError().code, driver::hd::kCommError);
+}
+
+TEST_F(OpenHaptics, WhatCannotBeLoadedSaysWhyByItsFirstName) {
+  HdLibrary none, old;
+  const Problem missing = none.load({"/nowhere/first.so", "/nowhere/second.so"});
+  EXPECT_EQ(missing.status, Status::kMissingLibrary);
+  EXPECT_THAT(missing.found, HasSubstr("/nowhere/first.so"));
+  EXPECT_FALSE(none.isLoaded());
+  const Problem lacks = old.load({HAPTICELL_HD_OLD});
+  EXPECT_EQ(lacks.status, Status::kMissingLibrary);
+  EXPECT_THAT(lacks.found, HasSubstr("hdDisableDevice"));
+  EXPECT_FALSE(old.isLoaded());
 }
 
 }  // namespace
