@@ -11,6 +11,8 @@
 
 namespace hapticell::haptic {
 
+class ServerConnection;
+
 /// Which server to connect to, and in which role. Times in seconds.
 struct TcpLinkOptions {
   std::string host = "127.0.0.1";  ///< An IP address or a name.
@@ -62,8 +64,7 @@ class TcpLink final : public HapticLink {
   void sendHandTarget(const HandTarget& target) override;
 
  private:
-  class Connection;
-  std::unique_ptr<Connection> connection_;
+  std::unique_ptr<ServerConnection> connection_;
   bool watches_;
 };
 

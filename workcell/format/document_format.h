@@ -10,6 +10,10 @@
 
 namespace hapticell::workcell {
 
+/// "format" and the newest "version" in documents.
+inline constexpr const char* kDocumentFormat = "hapticell-workcell";
+inline constexpr int kDocumentVersion = 1;
+
 /// The JSON of a state, with file names relative to `folder` (absolute).
 Json jsonFromState(const DocumentState& state, const std::filesystem::path& folder);
 
