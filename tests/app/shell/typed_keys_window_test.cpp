@@ -147,6 +147,7 @@ TEST(TypedKeys, WhatCannotBeSeenToHappenNeedsCtrl) {
 
 TEST(TypedKeys, TypingFindsARobotAtOnce) {
   TypingPage page;
+  page.window().setUpdatesEnabled(true);  // A list that is never painted is laid out again with every question to it.
   page.trigger("actionAddRobot");
   page.typeText("kr6");
   EXPECT_EQ(page.find<QLineEdit>("searchLibrary")->text(), "kr6");
