@@ -62,6 +62,29 @@ add_library(hapticell_common_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_D
 target_compile_definitions(hapticell_common_headers PRIVATE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)  # As geometry's.
 target_link_libraries(hapticell_common_headers PRIVATE glm::glm tl::expected hapticell_warnings)
 target_precompile_headers(hapticell_common_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
+# Folders, parted by ";", whose libraries are compiled without the sanitizers that the flags ask for: they compute from values
+# that others have read, and sanitizers make them three times as long to compile and to run (preset `input`).
+set(HAPTICELL_UNSANITIZED_FOLDERS "" CACHE STRING "Folders compiled without the sanitizers of the flags")
+if(HAPTICELL_UNSANITIZED_FOLDERS)
+  add_library(hapticell_unsanitized_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/common_headers.cpp")
+  target_compile_definitions(hapticell_unsanitized_headers PRIVATE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+  target_compile_options(hapticell_unsanitized_headers PRIVATE -fno-sanitize=all)
+  target_link_libraries(hapticell_unsanitized_headers PRIVATE glm::glm tl::expected hapticell_warnings)
+  target_precompile_headers(hapticell_unsanitized_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
+endif()
+
+# hapticell_find_headers(HEADERS): which precompiled headers a library of the present folder takes.
+function(hapticell_find_headers headers)
+  set(${headers} hapticell_common_headers PARENT_SCOPE)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+  foreach(unsanitized IN LISTS HAPTICELL_UNSANITIZED_FOLDERS)
+    cmake_path(IS_PREFIX unsanitized "${folder}" is_within)
+    if(is_within)
+      set(${headers} hapticell_unsanitized_headers PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
 add_executable(hapticell_program_headers EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/program_headers.cpp")  # A program's flags are others.
 target_compile_definitions(hapticell_program_headers PRIVATE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
 target_link_libraries(hapticell_program_headers PRIVATE glm::glm tl::expected hapticell_warnings)
@@ -105,10 +128,14 @@ function(hapticell_add_library name)
   target_link_libraries(${target} PUBLIC hapticell::interface ${ARG_PUBLIC}
     PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
   target_compile_options(${target} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
+  hapticell_find_headers(headers)
+  if(headers STREQUAL hapticell_unsanitized_headers)
+    target_compile_options(${target} PRIVATE -fno-sanitize=all)
+  endif()
   if(ARG_PRECOMPILED)  # Besides the common ones; such a library parses its own.
     target_precompile_headers(${target} PRIVATE ${HAPTICELL_COMMON_HEADERS} ${ARG_PRECOMPILED})
   else()
-    target_precompile_headers(${target} REUSE_FROM hapticell_common_headers)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
   if(ARG_INTERNAL OR HAPTICELL_SERVER_ONLY)
     return()

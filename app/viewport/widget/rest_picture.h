@@ -16,6 +16,8 @@ class RestPicture {
   /// `most_samples`: the picture is finished after so many; `piece_s`: longest time of a piece.
   RestPicture(int most_samples, double piece_s) : most_samples_(most_samples), piece_s_(piece_s) {}
 
+  /// At least 1; for the present picture too.
+  void setMostSamples(int most_samples) { most_samples_ = most_samples; }
   /// Starts another picture with its first sample. Keeps the number of bands.
   void begin();
   Piece next() const;

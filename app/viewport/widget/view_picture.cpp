@@ -136,6 +136,7 @@ void ViewPicture::refineStep() {
 
 void ViewPicture::painted(double start) {
   meter_.frame(start, seconds() - start);
+  rest_.setMostSamples(restSamples());
   if (view_.isUnderWay())
     refine_.start(0);
   else if (!refine_.isActive() && !isFinished())
@@ -154,6 +155,11 @@ bool ViewPicture::refine(double now) {
   return rest_.took({seconds() - now, done.whole, done.longest_least});
 }
 
+int ViewPicture::restSamples() const {
+  const QVariant wanted = view_.property(kRestSamples);
+  return wanted.isValid() ? std::max(wanted.toInt(), 1) : SceneRenderer::kSamples;
+}
+
 QImage ViewPicture::finished() {
   last_motion_s_ = -1.0;
   view_.makeCurrent();
@@ -163,7 +169,8 @@ QImage ViewPicture::finished() {
     renderer_->waitForParts();
     QOpenGLFramebufferObject target(frame.width, frame.height);
     frame.refine = true;
-    for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample)
+    const int samples = restSamples();
+    for (frame.sample = 0; frame.sample < samples; ++frame.sample)
       renderer_->render(frame, target.handle());
     QImage picture = target.toImage();
     view_.doneCurrent();

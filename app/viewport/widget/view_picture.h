@@ -19,9 +19,11 @@ namespace hapticell::app {
 class ViewportWidget;
 
 /// How the viewport draws the scene: frames during motion, the picture at rest in pieces, and pictures for other uses.
-/// GUI thread.
+/// GUI thread. The view's property kRestSamples, a number from 1, replaces SceneRenderer::kSamples from the next paint on:
+/// fewer give rougher edges and shadows for less work; what is in the scene and what is picked stay the same.
 class ViewPicture : public QObject {
  public:
+  static constexpr const char* kRestSamples = "restSamples";
   /// The view must outlive it.
   explicit ViewPicture(ViewportWidget& view);
 
@@ -63,6 +65,7 @@ class ViewPicture : public QObject {
   void showNewPart();
   bool touchMatters() const;
   void refineStep();
+  int restSamples() const;
   bool refine(double now);  ///< Draws one piece of the picture at rest; true at the end of a sample.
 
   ViewportWidget& view_;

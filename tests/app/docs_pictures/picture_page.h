@@ -28,6 +28,7 @@ class PicturePage : public ServerFirst, public CellPage {
   static constexpr int kPatience = 60000;        // ms: a slow machine that draws by its processor.
 
   PicturePage(const PictureTask& task, Stylus stylus) : CellPage(on(withoutMotion())), hand(server.loop), task_(task) {
+    setFinePictures();
     window().setTheme(!task.name.contains("light"));
     window().resize(task.window.isEmpty() ? task.size : task.window);
     window().loadModules(ModuleLoader::defaultFolders());

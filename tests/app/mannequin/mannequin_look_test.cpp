@@ -77,6 +77,7 @@ class Gallery : public MannequinPage {
   }
   /// Waits until all is drawn as it will be, figures in their skins, then keeps the picture.
   void keep(const char* name, bool whole_window = true) {
+    setFinePictures();
     until([this] { return window().viewport().isFinished(); }, kPatience);
     QElapsedTimer rests;  // Skins begin once a figure has stood for a moment.
     rests.start();

@@ -160,6 +160,7 @@ class DevicePage : public OwnUser, public CellPage {
   void picture(const char* name) {
     const QString folder = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER");
     if (folder.isEmpty()) return;
+    setFinePictures();
     settle();
     window().viewport().finishedPicture();
     window().viewport().update();  // With what is painted over it.

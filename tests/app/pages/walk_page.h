@@ -188,6 +188,7 @@ class WalkPage : public ServerFirst, public CellPage {
   void picture(const char* name) {
     const QString folder = qEnvironmentVariable("HAPTICELL_WALK_PICTURES");
     if (folder.isEmpty()) return;
+    setFinePictures();
     until([this] { return window().viewport().isFinished(); }, 5000);
     QDir().mkpath(folder);
     window().grab().save(folder + '/' + QLatin1String(name) + ".png");

@@ -28,6 +28,7 @@ bool isOfTheMoment(const QWidget& widget) {
 /// All that the docks say, a line a widget that is seen; what is told of the program itself is left out.
 QStringList said(MainWindow& window) {
   QStringList lines;
+  window.setUpdatesEnabled(false);  // What is said is looked at, dock after dock, not how it is drawn.
   for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
     if (dock->objectName() == "dockMessages") continue;
     const bool was_shown = dock->isVisible();
@@ -51,6 +52,7 @@ QStringList said(MainWindow& window) {
     }
     if (!was_shown) dock->hide();
   }
+  window.setUpdatesEnabled(true);
   lines.sort();
   return lines;
 }

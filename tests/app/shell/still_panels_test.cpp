@@ -27,7 +27,7 @@ class StillPage : public MannequinPage {
     bench.body = workcell::Solid{std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.8, 0.6, 0.05}))};
     bench.X_WE.p = {0.6, 0.0, 0.9};
     add(bench);
-    window().viewport().setUpdatesEnabled(false);  // The panels are what is looked at.
+    window().setUpdatesEnabled(false);  // Where controls lie is what is looked at, not how they are drawn.
   }
   QDockWidget& bring(const char* name) {
     auto* dock = find<QDockWidget>(name);

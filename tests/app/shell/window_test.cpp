@@ -157,6 +157,7 @@ TEST(Window, ResizedAtRestTheSceneIsDrawnAnew) {
   WindowPage page;
   ViewportWidget& viewport = page.window().viewport();
   viewport.setMotion(false);
+  page.setFinePictures();
   page.add(writeSolid(folder, "corner.off"));
   page.window().selection().set(0);
   const auto rests = [&] { return WindowPage::until([&] { return viewport.isFinished(); }, 120000); };

@@ -80,6 +80,19 @@ TEST(RestPicture, HeavyPartsThatCanBeCutAskForNoBands) {
   EXPECT_EQ(picture.next().bands, 1);
 }
 
+TEST(RestPicture, GoesOnWithTheSamePictureWhenMoreSamplesAreWanted) {
+  RestPicture picture(24, 0.03);
+  picture.setMostSamples(1);
+  picture.begin();
+  EXPECT_EQ(refine(picture, {1, 1, 0.005}).pieces.back().sample, 0);
+  EXPECT_TRUE(picture.isFinished());
+  picture.setMostSamples(3);
+  EXPECT_FALSE(picture.isFinished());
+  const Refined more = refine(picture, {1, 1, 0.005});
+  EXPECT_EQ(more.pieces.front().sample, 1);
+  EXPECT_EQ(more.pieces.back().sample, 2);
+}
+
 TEST(RestPicture, ASlowRendererIsDoneWithFewSamples) {
   RestPicture picture(24, 0.03);
   picture.begin();

@@ -100,6 +100,7 @@ struct ConnectedIdlePage : ServerFirst, IdlePage {
 
 TEST(IdleWindow, PaintsNothing) {
   IdlePage page;
+  page.setFinePictures();
   page.addParts();
   ASSERT_TRUE(page.rests());
   EXPECT_EQ(page.paintedAtRest(), "");
