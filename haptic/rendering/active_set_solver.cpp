@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/rendering/violated_rows.h"
+
 namespace hapticell::haptic {
 
 namespace {
@@ -35,7 +37,7 @@ void addScaled(Vector6& a, double scale, const Vector6& b) {
 /// matrix plus the regularisation. An equality is handled with the sign that it was violated with.
 class ActiveSet {
  public:
-  ActiveSet(std::span<const SolverRow> rows, const Vector6& d0) : rows_(rows), d_(d0) {}
+  ActiveSet(std::span<const SolverRow> rows, const Vector6& d0);
 
   SolverResult solve();
 
@@ -45,12 +47,12 @@ class ActiveSet {
     double sign = 1.0;
     double value = 0.0;  ///< Signed normal . d + slack, negative.
   };
-  bool mostViolated(Candidate& candidate) const;
+  bool chooseViolated(Candidate& candidate) const;
   bool bringIn(const Candidate& candidate);
   void stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z) const;
   void drop(std::size_t position);
   void append(std::size_t row, double sign, double multiplier);
-  void factorise();
+  void factorise(std::size_t from);
 
   std::span<const SolverRow> rows_;
   Vector6 d_;
@@ -60,29 +62,37 @@ class ActiveSet {
   std::array<Vector6, kMaxActive> normal_{};
   ActiveVector multiplier_{};
   std::array<ActiveVector, kMaxActive> factor_{};  // Lower triangle.
-  std::array<bool, kMaxRows> is_active_{};
+  RowArrays arrays_;  ///< Of all rows; the active ones are barred.
   int dependent_ = 0;
   int steps_ = 0;
 };
 
-bool ActiveSet::mostViolated(Candidate& candidate) const {
-  double worst = -kTolerance;
-  bool found = false;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (is_active_[i]) continue;
-    double value = dot(rows_[i].normal, d_) + rows_[i].slack;
-    const double sign = rows_[i].equality && value > 0.0 ? -1.0 : 1.0;
-    value *= sign;
-    if (!(value < worst)) continue;
-    worst = value;
-    candidate = {i, sign, value};
-    found = true;
+ActiveSet::ActiveSet(std::span<const SolverRow> rows, const Vector6& d0) : rows_(rows), d_(d0) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < 6; ++k) arrays_.normal[k][i] = rows[i].normal[k];
+    arrays_.slack[i] = rows[i].slack;
+    arrays_.both_ways[i] = rows[i].equality ? 1.0 : 0.0;
+    arrays_.barred[i] = 0.0;
   }
-  return found;
+  for (arrays_.count = rows.size(); arrays_.count % 4 != 0; ++arrays_.count) {
+    for (auto& numbers : arrays_.normal) numbers[arrays_.count] = 0.0;
+    arrays_.slack[arrays_.count] = arrays_.both_ways[arrays_.count] = 0.0;
+    arrays_.barred[arrays_.count] = kInfinity;
+  }
 }
 
-void ActiveSet::factorise() {
-  for (std::size_t i = 0; i < count_; ++i) {
+bool ActiveSet::chooseViolated(Candidate& candidate) const {
+  std::size_t row = 0;
+  if (!mostViolated(arrays_, d_, kTolerance, row)) return false;
+  const double value = dot(rows_[row].normal, d_) + rows_[row].slack;
+  const double sign = rows_[row].equality && value > 0.0 ? -1.0 : 1.0;
+  candidate = {row, sign, sign * value};
+  return true;
+}
+
+/// The rows of the factor before `from` are those of the last time.
+void ActiveSet::factorise(std::size_t from) {
+  for (std::size_t i = from; i < count_; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = dot(normal_[i], normal_[j]) + (i == j ? kRegularisation : 0.0);
       for (std::size_t k = 0; k < j; ++k) sum -= factor_[i][k] * factor_[j][k];
@@ -106,7 +116,7 @@ void ActiveSet::stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z
 }
 
 void ActiveSet::drop(std::size_t position) {
-  is_active_[row_of_[position]] = false;
+  arrays_.barred[row_of_[position]] = 0.0;
   --count_;
   for (std::size_t i = position; i < count_; ++i) {
     row_of_[i] = row_of_[i + 1];
@@ -114,18 +124,18 @@ void ActiveSet::drop(std::size_t position) {
     normal_[i] = normal_[i + 1];
     multiplier_[i] = multiplier_[i + 1];
   }
-  factorise();
+  factorise(position);
 }
 
 void ActiveSet::append(std::size_t row, double sign, double multiplier) {
-  is_active_[row] = true;
+  arrays_.barred[row] = kInfinity;
   row_of_[count_] = row;
   sign_[count_] = sign;
   normal_[count_] = rows_[row].normal;
   for (double& number : normal_[count_]) number *= sign;
   multiplier_[count_] = multiplier;
   ++count_;
-  factorise();
+  factorise(count_ - 1);
 }
 
 /// Raises the candidate's multiplier from zero until its row holds, dropping rows that would begin to pull. False when
@@ -168,7 +178,7 @@ bool ActiveSet::bringIn(const Candidate& candidate) {
 SolverResult ActiveSet::solve() {
   SolverResult result;
   Candidate candidate;
-  while (mostViolated(candidate)) {
+  while (chooseViolated(candidate)) {
     if (bringIn(candidate)) continue;
     result.status = dependent_ >= 2 || count_ == kMaxActive ? SolverStatus::kInfeasible : SolverStatus::kGaveUp;
     break;
@@ -197,7 +207,7 @@ SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0
   if (middle.status == SolverStatus::kSolved) return middle;
   double deepest = 0.0;
   for (const SolverRow& row : rows) deepest = std::max(deepest, row.equality ? 0.0 : -row.slack);
-  std::array<SolverRow, kMaxRows> kept{};
+  std::array<SolverRow, kMaxRows> kept;  // As many as there are rows.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     kept[i] = rows[i];
     if (!rows[i].equality && rows[i].slack < 0.0) kept[i].slack += deepest;

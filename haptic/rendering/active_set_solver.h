@@ -16,10 +16,11 @@ inline constexpr std::size_t kMaxRows = kMaxConstraints + 2;
 /// A half-space of the proxy's small motion d: normal . d >= -slack (an equality: = -slack).
 ///
 /// d = (translation, kRotationLever * rotation vector), metres; the normal has unit length.
+/// Its numbers are not set by itself: a tick makes hundreds of rows.
 struct SolverRow {
-  Vector6 normal{};
-  double slack = 0.0;  ///< Metres that are free along -normal; negative when the row is violated at d = 0.
-  bool equality = false;
+  Vector6 normal;
+  double slack;  ///< Metres that are free along -normal; negative when the row is violated at d = 0.
+  bool equality;
 };
 
 enum class SolverStatus : std::uint8_t {

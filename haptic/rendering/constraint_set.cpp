@@ -21,10 +21,12 @@ Vector6 multiply(const SymmetricMatrix6& B, const Vector6& xi) {
   return result;
 }
 
-/// None is greater, or no number.
+/// None is greater, or no number. All are looked at, so that several are at once.
 template <typename Container>
 bool allWithin(const Container& values, double most) {
-  return std::all_of(values.begin(), values.end(), [most](double v) { return std::abs(v) <= most; });
+  int outside = 0;
+  for (const double v : values) outside += std::abs(v) <= most ? 0 : 1;
+  return outside == 0;
 }
 
 bool isBetween(double value, double least, double most) {

@@ -30,6 +30,8 @@ const MakeRows make_rows = widest();
 void EntryArrays::take(const ConstraintSet& set) {
   count = std::min(kMaxConstraints, (set.count + kLanes - 1) / kLanes * kLanes);
   constexpr Constraint kNone{};
+  pulls = equalities = trims = 0;
+  any_trim = false;
   for (std::size_t i = 0; i < count; ++i) {
     const Constraint& c = i < set.count ? set.constraints[i] : kNone;
     gap[i] = c.gap;
@@ -38,7 +40,15 @@ void EntryArrays::take(const ConstraintSet& set) {
     velocity[0][i] = c.velocity_D.x;
     velocity[1][i] = c.velocity_D.y;
     velocity[2][i] = c.velocity_D.z;
-    const bool is_trimmed = c.has_trim && c.kind != ConstraintKind::kEquality;
+    const bool is_equality = c.kind == ConstraintKind::kEquality, is_trimmed = c.has_trim && !is_equality;
+    pulls |= std::uint64_t{c.kind == ConstraintKind::kPull} << i;
+    equalities |= std::uint64_t{is_equality} << i;
+    trims |= std::uint64_t{c.has_trim} << i;
+    any_trim |= is_trimmed;
+  }
+  for (std::size_t i = 0; any_trim && i < count; ++i) {
+    const Constraint& c = i < set.count ? set.constraints[i] : kNone;
+    const bool is_trimmed = has(trims & ~equalities, i);
     trim_gap[i] = is_trimmed ? c.trim_gap : 0.0;
     for (std::size_t k = 0; k < 6; ++k) trim_gradient[k][i] = is_trimmed ? c.trim_gradient[k] : 0.0;
   }

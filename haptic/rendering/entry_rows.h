@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "haptic/rendering/constraint_set.h"
 
@@ -16,10 +17,15 @@ struct EntryArrays {
   double velocity[3][kMaxConstraints];
   double trim_gap[kMaxConstraints];  ///< An entry without a trim has one that is zero everywhere.
   double trim_gradient[6][kMaxConstraints];
+  std::uint64_t pulls = 0, equalities = 0, trims = 0;  ///< A bit for each entry of the kind, or with a trim.
+  bool any_trim = false;                               ///< Else the trims' numbers are not filled.
   std::size_t count = 0;  ///< Of entries, up to the next multiple of a vector's lanes; those beyond the set's are zero.
 
   void take(const ConstraintSet& set);
+  static bool has(std::uint64_t bits, std::size_t entry) { return (bits >> entry & 1u) != 0; }
 };
+
+static_assert(kMaxConstraints <= 64, "a bit for each entry");
 
 /// The half-spaces of all entries around one pose: their normals in the proxy's metric and their slacks, m.
 struct EntryRows {

@@ -3,21 +3,11 @@
 // function of a header: the linker might use a copy that was compiled for a new processor everywhere.
 #include <cstddef>
 
+#include "haptic/rendering/lanes.h"
+
 namespace hapticell::haptic {
 namespace {
 
-/// Numbers that are worked on together: four doubles are a vector of AVX2, or two of SSE2.
-constexpr std::size_t kLanes = 4;
-using Lanes = double __attribute__((vector_size(32)));
-
-inline __attribute__((always_inline)) Lanes load(const double* from) {
-  Lanes lanes;
-  __builtin_memcpy(&lanes, from, sizeof(Lanes));
-  return lanes;
-}
-inline __attribute__((always_inline)) void store(double* to, Lanes lanes) {
-  __builtin_memcpy(to, &lanes, sizeof(Lanes));
-}
 inline __attribute__((always_inline)) Lanes root(Lanes lanes) {
   Lanes result;
   for (std::size_t i = 0; i < kLanes; ++i) result[i] = __builtin_sqrt(lanes[i]);
@@ -41,10 +31,12 @@ inline __attribute__((always_inline)) Lanes lengthOfAll(const Lanes* v) {
   return root(sum);
 }
 
-void rowsOfAll(const EntryArrays& entries, const double* at, double age, EntryRows& rows) {
+template <bool kTrims>
+inline __attribute__((always_inline)) void rowsOfAllBy(const EntryArrays& entries, const double* at, double age,
+                                                       EntryRows& rows) {
   const double* const theta = at + 3;
   for (std::size_t first = 0; first < entries.count; first += kLanes) {
-    Lanes xi[6], g[6], trim[6];
+    Lanes xi[6], g[6];
     for (std::size_t i = 0; i < 3; ++i) xi[i] = at[i] - age * load(&entries.velocity[i][first]);
     for (std::size_t i = 3; i < 6; ++i) xi[i] = at[i] + Lanes{};
     for (std::size_t i = 0; i < 6; ++i) g[i] = Lanes{};
@@ -55,24 +47,37 @@ void rowsOfAll(const EntryArrays& entries, const double* at, double age, EntryRo
         if (i != j) g[j] += b * xi[i];
       }
     }
-    Lanes value = load(&entries.gap[first]), trim_value = load(&entries.trim_gap[first]);
+    Lanes value = load(&entries.gap[first]);
     for (std::size_t i = 0; i < 6; ++i) {
       const Lanes a = load(&entries.gradient[i][first]);
       value += (a + 0.5 * g[i]) * xi[i];
       g[i] += a;
+    }
+    toMetric(g, theta, kRotationLever);
+    const Lanes length = lengthOfAll(g), slack = value / length;
+    store(&rows.length[first], length);
+    if constexpr (!kTrims) {
+      store(&rows.slack[first], slack);
+      for (std::size_t i = 0; i < 6; ++i) store(&rows.normal[i][first], g[i] / length);
+      continue;
+    }
+    Lanes trim[6], trim_value = load(&entries.trim_gap[first]);
+    for (std::size_t i = 0; i < 6; ++i) {
       trim[i] = load(&entries.trim_gradient[i][first]);
       trim_value += trim[i] * xi[i];
     }
-    toMetric(g, theta, kRotationLever);
     toMetric(trim, theta, kRotationLever);
-    const Lanes length = lengthOfAll(g), trim_length = lengthOfAll(trim);
-    store(&rows.length[first], length);
-    const Lanes slack = value / length, trim_slack = trim_value / trim_length;
+    const Lanes trim_length = lengthOfAll(trim), trim_slack = trim_value / trim_length;
     const auto by_trim = (trim_length > kLeastSlope) & (trim_slack < slack);
     store(&rows.slack[first], by_trim ? trim_slack : slack);
     const Lanes divisor = by_trim ? trim_length : length;
     for (std::size_t i = 0; i < 6; ++i) store(&rows.normal[i][first], (by_trim ? trim[i] : g[i]) / divisor);
   }
+}
+
+void rowsOfAll(const EntryArrays& entries, const double* at, double age, EntryRows& rows) {
+  if (entries.any_trim) return rowsOfAllBy<true>(entries, at, age, rows);
+  rowsOfAllBy<false>(entries, at, age, rows);
 }
 
 }  // namespace

@@ -15,16 +15,6 @@ constexpr int kIterations = 2;
 constexpr double kLargestOutrun = 3.0;  // R / (R - d) of docs/dev/feel.md, 5. Half and twice pass the tests of this folder.
 constexpr double kTouches = 2e-5;       // m. Half and twice pass the tests of this folder.
 
-/// Whether the proxy touched at X_DP any of what holds it now.
-bool touches(const GroupedSet& grouped, const Pose& X_DP, const std::bitset<kMaxConstraints>& pressing) {
-  ProxyRows rows;
-  rows.gather(grouped, X_DP);
-  for (std::size_t i = 0; i + 1 < rows.count; ++i) {
-    if (pressing[i] && rows.row[i].slack < kTouches) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result) {
@@ -78,9 +68,11 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
   ProxyStep step;
   step.X_DP = X_DP;
   ProxyRows rows;
+  Touching began;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Vector6 wanted = metricDifference(X_DS, step.X_DP);
     rows.gather(grouped, step.X_DP);
+    for (std::size_t i = 0; iteration == 0 && i + 1 < rows.count; ++i) began.set(i, rows.row[i].slack < kTouches);
     if (rows.tied()) rows.settle(wanted);
     const SolverResult result = nearestUnentered(rows.all(), wanted);
     MetricVector d = metricVector(result.d);
@@ -100,7 +92,7 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
     step.X_DP = free ? X_DS : displacedInMetric(step.X_DP, asVector6(kept));
     if (result.status != SolverStatus::kSolved) break;  // It has been solved twice already.
   }
-  applyFriction(grouped, X_DP, step, dt);
+  applyFriction(grouped, X_DP, began, step, dt);
   return step;
 }
 
@@ -123,7 +115,8 @@ MetricVector ProxyMover::keptInZone(const ConstraintSet& set, ProxyStep& step, c
   return share * d;
 }
 
-void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const {
+void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, const Touching& began, ProxyStep& step,
+                               double dt) const {
   if (!step.contact || step.friction <= 0.0) return;
   const Pose carried{from.p + dt * step.v_DO, from.q};  // What is touched takes the proxy along.
   const MetricVector gone = way(step.X_DP, carried);
@@ -137,15 +130,15 @@ void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, Prox
   } else {
     step.X_DP.p = carried.p + share * gone.linear;
   }
-  goOn(grouped, from, size, step);
+  goOn(grouped, began, size, step);
 }
 
 /// Back onto the set along its normals where friction left the proxy inside. Nothing rubs before it touches: a proxy
 /// that came through the air goes on to what it meets.
-void ProxyMover::goOn(const GroupedSet& grouped, const Pose& from, double most, ProxyStep& step) const {
+void ProxyMover::goOn(const GroupedSet& grouped, const Touching& began, double most, ProxyStep& step) const {
   ProxyRows rows;
   rows.gather(grouped, step.X_DP);
-  const bool arrives = !touches(grouped, from, step.pressing);
+  const bool arrives = (began & step.pressing).none();
   for (std::size_t i = 0; arrives && i + 1 < rows.count; ++i) {
     rows.row[i].equality = rows.row[i].equality || step.pressing[i];
   }

@@ -50,8 +50,11 @@ class ProxyMover {
   MetricVector way(const Pose& X_DB, const Pose& X_DA) const;
 
  private:
-  void applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const;
-  void goOn(const GroupedSet& grouped, const Pose& from, double most, ProxyStep& step) const;
+  /// Which groups' rows the proxy touched where its step began.
+  using Touching = std::bitset<kMaxConstraints>;
+  void applyFriction(const GroupedSet& grouped, const Pose& from, const Touching& began, ProxyStep& step,
+                     double dt) const;
+  void goOn(const GroupedSet& grouped, const Touching& began, double most, ProxyStep& step) const;
   MetricVector keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const;
   MetricVector felt(MetricVector v) const;
   bool turning_ = false;

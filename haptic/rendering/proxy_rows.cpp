@@ -2,6 +2,7 @@
 #include "haptic/rendering/proxy_rows.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "haptic/rendering/proxy_metric.h"
@@ -44,11 +45,13 @@ void GroupedSet::take(const ConstraintSet& wanted) {
 
 dvec3 GroupedSet::pullAt(const Pose& X_DS) const {
   dvec3 pull(0.0);
+  if (arrays.pulls == 0) return pull;
   const Twist motion = difference(X_DS, set.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
-  for (std::size_t i = 0; i < set.count; ++i) {
+  for (std::uint64_t left = arrays.pulls; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
     const Constraint& c = set.constraints[i];
-    if (c.kind != ConstraintKind::kPull || c.reach <= 0.0) continue;
+    if (c.reach <= 0.0) continue;
     Vector6 gradient{};
     const double value = evaluateWithGradient(c, seenFrom(i, xi), gradient);
     const dvec3 along = linearPart(gradient);
@@ -71,12 +74,11 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
   touched_count_ = 0;
-  EntryRows made;
-  makeRows(grouped.arrays, xi, grouped.age, made);
-  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
+  makeRows(grouped.arrays, xi, grouped.age, made_);
+  for (std::size_t i = 0; i < count; ++i) row[i].slack = -1e9;
   for (std::size_t i = 0; i < grouped.set.count; ++i) {
-    if (grouped.set.constraints[i].kind == ConstraintKind::kPull || made.length[i] < kLeastSlope) continue;
-    offer(grouped.row_of[i], i, grouped.set.constraints[i], made);
+    if (EntryArrays::has(grouped.arrays.pulls, i) || made_.length[i] < kLeastSlope) continue;
+    offer(grouped, i);
   }
   countTied();
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
@@ -86,18 +88,23 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
 }
 
-void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const EntryRows& made) {
-  const double slack = made.slack[index];
-  const bool equality = constraint.kind == ConstraintKind::kEquality;
-  const bool is_on = std::abs(slack) <= kOn && !constraint.has_trim && !equality;
-  const bool is_freest = slack > row[slot].slack;
-  if (!is_freest && !is_on) return;
-  SolverRow offered{{}, slack, equality};
-  for (std::size_t i = 0; i < 6; ++i) offered.normal[i] = made.normal[i][index];
-  if (is_on) touched_[touched_count_++] = {offered, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(index)};
-  if (!is_freest) return;
-  row[slot] = offered;
+void ProxyRows::offer(const GroupedSet& grouped, std::size_t index) {
+  const std::uint8_t slot = grouped.row_of[index];
+  const double slack = made_.slack[index];
+  const bool equality = EntryArrays::has(grouped.arrays.equalities, index);
+  if (std::abs(slack) <= kOn && !EntryArrays::has(grouped.arrays.trims, index) && !equality)
+    touched_[touched_count_++] = {slot, static_cast<std::uint8_t>(index)};
+  if (!(slack > row[slot].slack)) return;
+  row[slot] = rowOf(index, equality);
   entry[slot] = static_cast<std::uint8_t>(index);
+}
+
+SolverRow ProxyRows::rowOf(std::size_t index, bool equality) const {
+  SolverRow of;
+  for (std::size_t i = 0; i < 6; ++i) of.normal[i] = made_.normal[i][index];
+  of.slack = made_.slack[index];
+  of.equality = equality;
+  return of;
 }
 
 void ProxyRows::countTied() {
@@ -127,8 +134,10 @@ void ProxyRows::settle(const Vector6& wanted) {
   };
   for (std::size_t k = 0; k < touched_count_; ++k) {
     const Touched& touched = touched_[k];
-    if (!is_tied_[touched.slot] || leftBy(touched.row) <= leftBy(row[touched.slot])) continue;
-    row[touched.slot] = touched.row;
+    if (!is_tied_[touched.slot]) continue;
+    const SolverRow other = rowOf(touched.entry, false);
+    if (leftBy(other) <= leftBy(row[touched.slot])) continue;
+    row[touched.slot] = other;
     entry[touched.slot] = touched.entry;
   }
 }

@@ -54,15 +54,16 @@ struct ProxyRows {
   void settle(const Vector6& wanted);
 
  private:
-  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const EntryRows& made);
+  void offer(const GroupedSet& grouped, std::size_t index);
+  SolverRow rowOf(std::size_t index, bool equality) const;
   void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
   void countTied();
 
   /// An entry that the proxy is on.
   struct Touched {
-    SolverRow row;
     std::uint8_t slot = 0, entry = 0;
   };
+  EntryRows made_;  ///< Of all entries.
   std::array<Touched, kMaxConstraints> touched_;
   std::size_t touched_count_ = 0;
   std::array<bool, kMaxRows> is_tied_{};

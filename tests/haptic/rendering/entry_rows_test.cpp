@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
 #include "haptic/rendering/proxy_metric.h"
+#include "haptic/rendering/violated_rows.h"
 
 namespace hapticell::haptic {
 namespace {
@@ -29,6 +31,9 @@ class Entries {
       if (i % 7 == 3) c.kind = ConstraintKind::kEquality;
     }
     for (std::size_t i = 0; i < 6; ++i) xi[i] = (i < 3 ? 0.05 : 0.5) * unit();
+  }
+  void dropTrims() {
+    for (Constraint& c : set.constraints) c.has_trim = false;
   }
   double unit() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
 
@@ -53,7 +58,9 @@ TEST(EntryRows, AreThoseOfEachEntryForItself) {
   int trimmed = 0, flat = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     Entries entries(seed);
+    if (seed % 4 == 0) entries.dropTrims();
     arrays->take(entries.set);
+    EXPECT_EQ(arrays->any_trim, seed % 4 != 0);
     makeRows(*arrays, entries.xi, entries.age, *rows);
     for (std::size_t i = 0; i < entries.set.count; ++i) {
       const Constraint& c = entries.set.constraints[i];
@@ -92,6 +99,7 @@ TEST(EntryRows, AreTheSameToTheLastBitWithoutWideInstructions) {
   const auto wide = std::make_unique<EntryRows>(), plain = std::make_unique<EntryRows>();
   for (unsigned seed = 0; seed < 200; ++seed) {
     Entries entries(seed);
+    if (seed % 4 == 0) entries.dropTrims();
     arrays->take(entries.set);
     makeRows(*arrays, entries.xi, entries.age, *wide);
     makeRowsPortably(*arrays, entries.xi, entries.age, *plain);
@@ -102,6 +110,43 @@ TEST(EntryRows, AreTheSameToTheLastBitWithoutWideInstructions) {
       for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(wide->normal[k][i], plain->normal[k][i]);
     }
   }
+}
+
+TEST(ViolatedRows, TheWorstIsThatOfALookAtEach) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto rows = std::make_unique<RowArrays>();
+  int none = 0, equalities = 0;
+  for (int turn = 0; turn < 2000; ++turn) {
+    rows->count = 4 * (1 + static_cast<std::size_t>(turn) % (RowArrays::kMost / 4));
+    Vector6 d{};
+    for (double& x : d) x = turn % 50 == 0 ? 0.0 : unit(random);
+    for (std::size_t i = 0; i < rows->count; ++i) {
+      for (auto& numbers : rows->normal) numbers[i] = unit(random);
+      rows->slack[i] = unit(random) + (turn % 3 == 0 ? 5.0 : 0.0);
+      rows->both_ways[i] = turn % 3 != 0 && i % 7 == 3 ? 1.0 : 0.0;
+      rows->barred[i] = i % 5 == 4 ? std::numeric_limits<double>::infinity() : 0.0;
+    }
+    double worst = -1e-3;
+    std::size_t expected = rows->count;
+    for (std::size_t i = 0; i < rows->count; ++i) {
+      double left = rows->slack[i];
+      for (std::size_t k = 0; k < 6; ++k) left += rows->normal[k][i] * d[k];
+      if (rows->both_ways[i] > 0.0) left = -std::abs(left);
+      if (rows->barred[i] > 0.0 || left >= worst) continue;
+      worst = left;
+      expected = i;
+    }
+    std::size_t found = rows->count, plainly = rows->count;
+    EXPECT_EQ(mostViolated(*rows, d, 1e-3, found), expected < rows->count);
+    EXPECT_EQ(mostViolatedPortably(*rows, d, 1e-3, plainly), expected < rows->count);
+    EXPECT_EQ(plainly, found);
+    EXPECT_EQ(found, expected) << turn;
+    none += expected == rows->count ? 1 : 0;
+    equalities += expected < rows->count && rows->both_ways[expected] > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(none, 100);
+  EXPECT_GT(equalities, 50);
 }
 
 }  // namespace

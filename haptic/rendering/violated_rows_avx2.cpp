@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/violated_rows.h"
+#include "haptic/rendering/violated_rows_body.h"
+
+namespace hapticell::haptic {
+
+bool worstRowByAvx2(const RowArrays& rows, const double* d, double tolerance, std::size_t& row);
+bool worstRowByAvx2(const RowArrays& rows, const double* d, double tolerance, std::size_t& row) {
+  return worstRowOf(rows, d, tolerance, row);
+}
+
+}  // namespace hapticell::haptic
