@@ -19,10 +19,10 @@
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/document_model.h"
+#include "app/host/hand_at_work.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/kit/action_face.h"
-#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/mannequin/mannequin_context.h"
@@ -199,9 +199,7 @@ class ErgonomicsDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock);
+    bringToFrontIfIdle(host_, dock);
   }
 
   Host& host_;

@@ -13,6 +13,7 @@
 
 #include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
+#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
@@ -141,9 +142,7 @@ class MannequinDocks : public QObject {
   }
 
   void bringToFront() {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock_);
+    bringToFrontIfIdle(host_, dock_);
   }
 
   Host& host_;

@@ -11,11 +11,11 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/host/hand_at_work.h"
 #include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/kit/dock_front.h"
 #include "app/kit/top_menus.h"
 #include "app/kit/form.h"
 #include "app/controls/refresh_timer.h"
@@ -133,9 +133,7 @@ class RobotDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock);
+    bringToFrontIfIdle(host_, dock);
   }
 
   Host& host_;

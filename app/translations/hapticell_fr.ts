@@ -9899,6 +9899,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
     <message>
+        <source>Start one with 'hapticell-haptic-server', or open the window.</source>
+        <translation>Lancez-en un avec « hapticell-haptic-server », ou ouvrez la fenêtre.</translation>
+    </message>
+    <message>
         <source>Start page</source>
         <translation>Page d'accueil</translation>
     </message>
@@ -13309,6 +13313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot.toml</source>
         <translation>un robot.toml</translation>
+    </message>
+    <message>
+        <source>a running server</source>
+        <translation>un serveur en marche</translation>
     </message>
     <message>
         <source>a saved simulation state; the models are placed as described</source>
@@ -16729,6 +16737,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no guide is named '%1'</source>
         <translation>aucun guide virtuel ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no haptic server answers</source>
+        <translation>aucun serveur haptique ne répond</translation>
     </message>
     <message>
         <source>no joint connects it to the root link '%1'</source>

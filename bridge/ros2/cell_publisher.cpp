@@ -13,7 +13,7 @@
 #include "exchange/recordings/recording_reader.h"
 #include "geometry/system/regular_file.h"
 #include "geometry/system/scratch_folder.h"
-#include "haptic/client/tcp_link.h"
+#include "haptic/client/server_watch.h"
 #include "kinematics/model/robot_model.h"
 #include "manipulation/checks/motion_replay.h"
 #include "trajectory/files/trajectory_io.h"
@@ -310,19 +310,8 @@ Expected<void> sendTrajectory(RosNode& node, const manipulation::MotionReplay& r
 Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server) {
   if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
   const std::size_t colon = server.rfind(':');
-  auto options = haptic::linkOptionsFor(server.substr(0, colon),
-                                        static_cast<std::uint16_t>(std::atoi(server.c_str() + colon + 1)));
-  HAPTICELL_TRY(options);
-  options->kind = haptic::ClientKind::kWatcher;
-  options->program = "hapticell-ros2";
-  auto link = std::make_unique<haptic::TcpLink>(*options);
-  const auto end = Clock::now() + std::chrono::seconds(5);
-  while (link->linkState() != haptic::LinkState::kConnected) {
-    if (Clock::now() > end)
-      return makeError({server, "", "no haptic server answers", "a running server", "Start one with 'hapticell-haptic-server'."});
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return link;
+  return haptic::watchServer(server.substr(0, colon), static_cast<std::uint16_t>(std::atoi(server.c_str() + colon + 1)),
+                             "hapticell-ros2");
 }
 
 }  // namespace

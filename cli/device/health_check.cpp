@@ -9,16 +9,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <thread>
 
 #include "cli/device/program_answer.h"
 #include "config/user_folders.h"
 #include "geometry/system/plain_text.h"
-#include "haptic/client/tcp_link.h"
+#include "haptic/client/server_watch.h"
 #include "haptic/devices/system_access.h"
 
 namespace hapticell::cli {
@@ -35,9 +33,9 @@ constexpr int kProbePatience = 20'000;
 // Bytes free on a disk: room for some documents, packs and recordings, our choice. Half: it warns too late; twice:
 // small disks are reported.
 constexpr std::uintmax_t kNeeded = 500'000'000;
-// That a service on this machine may take to answer, by trial. Half: a busy one counts as missing; twice: a longer
+// s that a service on this machine may take to answer, by trial. Half: a busy one counts as missing; twice: a longer
 // wait.
-constexpr std::chrono::milliseconds kLinkPatience(1500);
+constexpr double kLinkPatience = 1.5;
 
 std::string wordIn(const ordered_json& answer, const char* name) {
   const auto found = answer.find(name);
@@ -109,15 +107,9 @@ bool isTaken(std::uint16_t port) {
 
 /// The device of the haptic server on this machine's port, asked as one who only watches; empty: none answers.
 std::string servedDevice(std::uint16_t port) {
-  auto options = haptic::linkOptionsFor("127.0.0.1", port);
-  if (!options) return {};
-  options->kind = haptic::ClientKind::kWatcher;
-  options->program = "hapticell-cli doctor";
-  haptic::TcpLink link(*options);
-  const auto end = std::chrono::steady_clock::now() + kLinkPatience;
-  while (link.linkState() == haptic::LinkState::kConnecting && std::chrono::steady_clock::now() < end)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  const auto device = link.device();
+  const auto link = haptic::watchServer("127.0.0.1", port, "hapticell-cli doctor", kLinkPatience);
+  if (!link) return {};
+  const auto device = (*link)->device();
   return device ? plainText(device->name) : std::string();
 }
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "cli/device/device_commands.h"
 #include "cli/device/typed_code.h"
 #include "cli/kit/server_address.h"
 #include "geometry/system/plain_text.h"
-#include "haptic/client/tcp_link.h"
+#include "haptic/client/server_watch.h"
 #include "haptic/transport/pairing_key.h"
 
 namespace hapticell::cli {
@@ -16,8 +14,6 @@ namespace hapticell::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::chrono::seconds kPatience(5);
 
 struct PairWords {
   std::string server, code;
@@ -33,10 +29,7 @@ Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingK
   options.kind = haptic::ClientKind::kWatcher;
   options.program = "hapticell-cli pair";
   haptic::TcpLink link(options);
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (link.linkState() == haptic::LinkState::kConnecting && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  haptic::waitUntilConnected(link);
   if (const auto device = link.device()) return device->name;
   return makeError({.file = server.host + ":" + std::to_string(server.port),
                     .found = english(link.problem()),

@@ -14,7 +14,7 @@
 #include "cli/kit/stop_signal.h"
 #include "cli/live/live_options.h"
 #include "exchange/recordings/recording_reader.h"
-#include "haptic/client/tcp_link.h"
+#include "haptic/client/server_watch.h"
 #include "manipulation/checks/motion_replay.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/format/document_io.h"
@@ -52,11 +52,7 @@ Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& serv
   if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
   const auto address = parseServerAddress(server, "--server");
   HAPTICELL_TRY(address);
-  auto options = haptic::linkOptionsFor(address->host, static_cast<std::uint16_t>(address->port));
-  HAPTICELL_TRY(options);
-  options->kind = haptic::ClientKind::kWatcher;
-  options->program = "hapticell-cli live";
-  return std::make_unique<haptic::TcpLink>(*options);
+  return haptic::openWatcher(address->host, address->port, "hapticell-cli live");
 }
 
 /// The cell `t` seconds after the beginning.

@@ -14,7 +14,7 @@
 #include "exchange/recordings/trace_table.h"
 #include "geometry/system/regular_file.h"
 #include "geometry/system/text_case.h"
-#include "haptic/client/tcp_link.h"
+#include "haptic/client/server_watch.h"
 #include "haptic/protocol/link_problem.h"
 #include "manipulation/session/exercise.h"
 #include "trajectory/files/trajectory_io.h"
@@ -126,26 +126,15 @@ Expected<WatchedSamples> watchServer(const std::string& server, double seconds) 
   // Four looks a tick: none of the server's states is missed on a machine that is not overloaded. Half as often: a few
   // in a thousand are; twice: more of a processor.
   constexpr auto kLook = std::chrono::microseconds(250);
-  constexpr auto kPatience = std::chrono::seconds(5);  // As a session's (manipulation/session/session.h).
   const auto address = parseServerAddress(server, "--server");
   HAPTICELL_TRY(address);
-  auto options = haptic::linkOptionsFor(address->host, static_cast<std::uint16_t>(address->port));
-  HAPTICELL_TRY(options);
-  options->kind = haptic::ClientKind::kWatcher;
-  options->program = "hapticell-cli record";
-  haptic::TcpLink link(*options);
-  const auto begin = Clock::now();
-  while (link.linkState() != haptic::LinkState::kConnected) {
-    if (link.linkState() == haptic::LinkState::kRefused || Clock::now() - begin > kPatience)
-      return makeError({server, "", "no haptic server answers", "a running server",
-                        "Start one with 'hapticell-haptic-server', or open the window."});
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  const auto link = haptic::watchServer(address->host, address->port, "hapticell-cli record");
+  HAPTICELL_TRY(link);
   WatchedSamples watched;
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   while (Clock::now() < end) {
-    if (const auto state = link.latestState()) watched.add(*state);
-    if (link.connections() != 1 || link.linkState() != haptic::LinkState::kConnected) {
+    if (const auto state = (*link)->latestState()) watched.add(*state);
+    if ((*link)->connections() != 1 || (*link)->linkState() != haptic::LinkState::kConnected) {
       watched.was_lost = true;
       break;
     }

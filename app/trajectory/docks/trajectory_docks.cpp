@@ -16,6 +16,7 @@
 
 #include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
+#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
@@ -106,7 +107,7 @@ class TrajectoryDocks : public QObject {
     connect(panel_, &TrajectoryPanel::trimWanted, motion_, &MotionPanel::trim);
     connect(panel_, &TrajectoryPanel::frameChosen, this, [this](std::size_t frame) { motion_->setFrame(frame); });
     connect(panel_, &TrajectoryPanel::roomWanted, this, [this] {
-      if (handWorks() || dock_->isFloating() || dock_->height() >= kHighDock) return;
+      if (isHandAtWork(host_) || dock_->isFloating() || dock_->height() >= kHighDock) return;
       host_.window().resizeDocks({dock_}, {kHighDock}, Qt::Vertical);
     });
     connect(motion_, &MotionPanel::sectionWanted, this,
@@ -234,13 +235,8 @@ class TrajectoryDocks : public QObject {
     if (!begun) panel_->showLine(shownText(begun.error()), true);
   }
 
-  bool handWorks() const {
-    const auto& snapshot = host_.snapshot();
-    return snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on);
-  }
-
   void openMotion(const QString& section) {
-    if (handWorks()) {
+    if (isHandAtWork(host_)) {
       panel_->showLine(tr("Switch the forces off first. Panels stay in place while the stylus is in use."), true);
       return;
     }

@@ -8,9 +8,9 @@
 #include "app/controls/robot_ghosts.h"
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
+#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
 #include "app/host/recording_hub.h"
-#include "app/kit/dock_front.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training/training_panel.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -61,9 +61,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
 }
 
 void TrainingDocks::open() {
-  const auto& snapshot = host_.snapshot();
-  if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-  bringToFront(dock_);
+  bringToFrontIfIdle(host_, dock_);
 }
 
 void TrainingDocks::openCell(const QString& path) {

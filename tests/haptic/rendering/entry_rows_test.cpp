@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 
+#include "haptic/rendering/entry_rows_body.h"
 #include "haptic/rendering/proxy_metric.h"
 #include "haptic/rendering/violated_rows.h"
 
@@ -147,6 +148,58 @@ TEST(ViolatedRows, TheWorstIsThatOfALookAtEach) {
   }
   EXPECT_GT(none, 100);
   EXPECT_GT(equalities, 50);
+}
+
+/// The transposed inverse left Jacobian of SO(3) times g, in closed form: (1 - a / 2 cot(a / 2)) / a^2 for the second
+/// order, a = |theta|.
+dvec3 byInverseJacobian(const dvec3& theta, const dvec3& g) {
+  const double a = glm::length(theta);
+  const double second = (1.0 - 0.5 * a / std::tan(0.5 * a)) / (a * a);
+  const dvec3 once = glm::cross(theta, g);
+  return g + 0.5 * once + second * glm::cross(theta, once);
+}
+
+TEST(EntryRowsBody, EachLaneIsTheInverseJacobianToSecondOrder) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int n = 0; n < 200; ++n) {
+    dvec3 theta(unit(random), unit(random), unit(random));
+    theta *= 0.5 / glm::length(theta);  // The largest turn of a set.
+    Lanes g[6], at_first[6];
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) at_first[i][lane] = g[i][lane] = unit(random);
+    const double turned[3] = {theta.x, theta.y, theta.z};
+    toMetric(g, turned, 0.25);
+    const Lanes length = lengthOfAll(g);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const dvec3 before(at_first[3][lane], at_first[4][lane], at_first[5][lane]);
+      const dvec3 exact = byInverseJacobian(theta, before) / 0.25;
+      const dvec3 got(g[3][lane], g[4][lane], g[5][lane]);
+      EXPECT_LT(glm::length(got - exact), 1e-3 * glm::length(exact));
+      double squares = 0.0;
+      for (std::size_t i = 0; i < 6; ++i) {
+        squares += g[i][lane] * g[i][lane];
+        EXPECT_TRUE(i >= 3 || g[i][lane] == at_first[i][lane]) << "the translation is as it was";
+      }
+      EXPECT_NEAR(length[lane], std::sqrt(squares), 1e-12);
+    }
+  }
+}
+
+TEST(EntryRowsBody, IsTheSameWhereverItIsCompiled) {
+  const auto arrays = std::make_unique<EntryArrays>();
+  const auto here = std::make_unique<EntryRows>(), plain = std::make_unique<EntryRows>();
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    Entries entries(seed);
+    arrays->take(entries.set);
+    rowsOfAll(*arrays, entries.xi.data(), entries.age, *here);
+    makeRowsPortably(*arrays, entries.xi, entries.age, *plain);
+    for (std::size_t i = 0; i < entries.set.count; ++i) {
+      ASSERT_EQ(here->length[i], plain->length[i]);
+      if (here->length[i] < kLeastSlope) continue;
+      ASSERT_EQ(here->slack[i], plain->slack[i]);
+    }
+  }
 }
 
 }  // namespace
