@@ -21,6 +21,7 @@
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/kit/action_face.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
@@ -199,9 +200,7 @@ class ErgonomicsDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock);
+    if (!tellsStylusInUse(host_)) app::bringToFront(dock);
   }
 
   Host& host_;

@@ -16,6 +16,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/host/stylus_use.h"
 #include "app/kit/action_face.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
@@ -96,7 +97,9 @@ class MannequinDocks : public QObject {
       sizes->addAction(tr(name), this, [this, request = request] { add(request); });
     new HandsToPart(context_, *menu, this);
     menu->addSeparator();
-    entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] { bringToFront(); });
+    entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] {
+      if (!tellsStylusInUse(host_)) bringToFront();
+    });
     entry("actionOpenPosture", tr("Open a posture…"), {}, [this] { panel_->openPosture(); });
     entry("actionSavePosture", tr("Save this posture (JSON, H-Anim X3D, BVH)…"), {}, [this] { panel_->savePosture(); });
     entry("actionMarkers", tr("Recorded markers (C3D)…"), {}, [this] {
@@ -141,9 +144,7 @@ class MannequinDocks : public QObject {
   }
 
   void bringToFront() {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock_);
+    if (!isStylusInUse(host_)) app::bringToFront(dock_);
   }
 
   Host& host_;

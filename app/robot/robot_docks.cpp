@@ -14,6 +14,7 @@
 #include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/host/selection.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/top_menus.h"
@@ -78,7 +79,9 @@ class RobotDocks : public QObject {
     const auto entry = [&](const char* name, const QString& text, auto&& slot) {
       QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});
       menu->addAction(action);
-      connect(action, &QAction::triggered, this, slot);
+      connect(action, &QAction::triggered, this, [this, slot] {
+        if (!tellsStylusInUse(host_)) slot();
+      });
     };
     entry("actionRobotPanel", tr("Configurations and jogging"), [this] { bringToFront(dock_); });
     entry("actionTools", tr("Tools and carried parts…"), [this] { openTools(); });
@@ -133,9 +136,7 @@ class RobotDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-    app::bringToFront(dock);
+    if (!isStylusInUse(host_)) app::bringToFront(dock);
   }
 
   Host& host_;

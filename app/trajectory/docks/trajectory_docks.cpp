@@ -17,6 +17,7 @@
 #include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/kit/action_face.h"
@@ -195,7 +196,7 @@ class TrajectoryDocks : public QObject {
     entry({"actionAddFrame", tr("Add a frame"), {}, QKeySequence(Qt::SHIFT | Qt::Key_R), {}}, [this] { addFrame(); });
     menu->addSeparator();
     entry({"actionPlay", tr("Play or pause"), "play", {}, {}},
-          [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
+          [this] { playOrPause(); });
     entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
     entry({"actionTraining", tr("Train on a motion…"), "hand", {}, {}}, [this] { training_.open(); });
@@ -222,6 +223,13 @@ class TrajectoryDocks : public QObject {
     }
   }
 
+  void playOrPause() {
+    if (player_.playback().isPlaying()) return player_.pause();
+    player_.play();
+    if (!player_.playback().isPlaying())
+      panel_->showLine(tr("No motion is switched on. Record or import one, and switch it on in the list."), true);
+  }
+
   void makeVideo() {
     if (video_.isBusy()) {
       video_.cancel();
@@ -234,10 +242,7 @@ class TrajectoryDocks : public QObject {
     if (!begun) panel_->showLine(shownText(begun.error()), true);
   }
 
-  bool handWorks() const {
-    const auto& snapshot = host_.snapshot();
-    return snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on);
-  }
+  bool handWorks() const { return isStylusInUse(host_); }
 
   void openMotion(const QString& section) {
     if (handWorks()) {

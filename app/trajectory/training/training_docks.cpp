@@ -9,6 +9,7 @@
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/host/recording_hub.h"
 #include "app/kit/dock_front.h"
 #include "app/style/dock_title_bar.h"
@@ -61,9 +62,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
 }
 
 void TrainingDocks::open() {
-  const auto& snapshot = host_.snapshot();
-  if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
-  bringToFront(dock_);
+  if (!tellsStylusInUse(host_)) bringToFront(dock_);
 }
 
 void TrainingDocks::openCell(const QString& path) {
