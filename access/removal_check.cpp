@@ -6,6 +6,9 @@
 
 #include "access/sweep_limits.h"
 #include "collision/queries/mesh_search.h"
+#include "geometry/system/atomic_file.h"
+#include "geometry/system/scratch_folder.h"
+#include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/number_text.h"
 
 namespace hapticell::access {
@@ -114,6 +117,22 @@ Promises removalPromises(const RemovalScene& scene, std::size_t unit, UnitSet go
                            .place = Text("at %1 s", trajectory::shortestText(std::round(1e4 * deep_at) / 1e4)),
                            .rounding = 1e-9});
   return promises;
+}
+
+Expected<trajectory::Trajectory> keptMotion(const RemovalScene& scene, std::size_t unit, UnitSet gone,
+                                            const RemovalWay& way, double speed) {
+  const auto motion = trajectoryOf(scene, unit, way, speed);
+  const auto folder = ScratchFolder::make();
+  HAPTICELL_TRY(folder);
+  const std::filesystem::path file = folder->path() / "way.htraj";
+  HAPTICELL_TRY(writeFileAtomically(file, trajectory::toJsonText(motion), {.durable = false}));
+  auto written = trajectory::readTrajectory(file);
+  HAPTICELL_TRY(written);
+  Promises promises = removalPromises(scene, unit, gone, *written);
+  promises.help = Text("Ask again with another depth that counts as touching, or show the way by hand.");
+  promises.can_be_forced = false;
+  if (!promises.areKept()) return makeError(promises.missed(motion.name));
+  return written;
 }
 
 }  // namespace hapticell::access

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "access/removal_scene.h"
+#include "access/removal_way.h"
 #include "geometry/system/promise.h"
 #include "trajectory/motion/trajectory.h"
 
@@ -13,5 +14,11 @@ namespace hapticell::access {
 /// every millimetre of motion.
 Promises removalPromises(const RemovalScene& scene, std::size_t unit, UnitSet gone,
                          const trajectory::Trajectory& written);
+
+/// A way as a motion of `speed` m/s, for a program to keep: written to a temporary file, read back and measured by
+/// removalPromises(). What is returned is what was read. Errors: a missed promise, with what to do; no temporary file can
+/// be written. Any thread; may take seconds.
+Expected<trajectory::Trajectory> keptMotion(const RemovalScene& scene, std::size_t unit, UnitSet gone,
+                                            const RemovalWay& way, double speed);
 
 }  // namespace hapticell::access

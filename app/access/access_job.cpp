@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "access/removal_check.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "manipulation/scene/scene_service.h"
@@ -11,6 +12,9 @@
 namespace hapticell::app {
 
 namespace {
+
+/// m/s of kept motions, as the command line writes them.
+constexpr double kKeptSpeed = 0.1;
 
 using access::AccessAnswer;
 using access::AccessQuestion;
@@ -123,6 +127,20 @@ void AccessJob::showByHand(std::size_t step, std::shared_ptr<const trajectory::T
             emit changed();
           });
         });
+}
+
+void AccessJob::keep(std::size_t step) {
+  if (isBusy()) return;
+  stop_ = std::make_shared<std::atomic<bool>>(false);
+  start(tr("Measure the way"), [this, given = answer_, step](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+    const access::RemovalStep& asked = given->order[step];
+    auto motion = access::keptMotion(*given->removal, asked.unit, asked.gone, asked.way, kKeptSpeed);
+    HAPTICELL_TRY(motion);
+    const auto measured = std::make_shared<const trajectory::Trajectory>(std::move(*motion));
+    return BackgroundWork::Then([this, given, measured] {
+      if (answer_ == given) emit kept(measured);
+    });
+  });
 }
 
 bool AccessJob::isOutdated() const {

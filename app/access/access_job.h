@@ -37,6 +37,9 @@ class AccessJob : public QObject {
   /// Checks a recorded motion as the way of a step; if it is free, it replaces that step's way, with its own clearances
   /// and, for the last step, persons. Does nothing while isBusy(). @pre answer() has that step
   void showByHand(std::size_t step, std::shared_ptr<const trajectory::Trajectory> shown);
+  /// Measures the way of a step as a motion (access::keptMotion()), to be kept; kept() or failed() follows. Does nothing
+  /// while isBusy(). @pre answer() has that step
+  void keep(std::size_t step);
   void cancel();
   bool isBusy() const { return work_.isBusy(); }
   double progress() const { return work_.progress().share; }
@@ -51,6 +54,8 @@ class AccessJob : public QObject {
   void progressed();
   void changed();  ///< The answer came, changed or was dropped.
   void failed(const hapticell::Error& error);
+  /// The motion of a step is as promised; not yet in the document.
+  void kept(const std::shared_ptr<const hapticell::trajectory::Trajectory>& motion);
 
  private:
   void start(const QString& name, BackgroundWork::Work work);

@@ -33,8 +33,6 @@ namespace {
 
 constexpr const char* kAccessOwner = "access";
 constexpr int kAlongSteps = 1000;  // Of the slider. Half: visible jumps on ways of a metre; twice: no finer picture.
-/// m/s of kept motions, as the command line writes them.
-constexpr double kHandSpeed = 0.1;
 /// m: wide enough to look for room beside the way. Half: a rail; twice: hardly felt.
 constexpr double kTube = 0.01;
 /// N/m towards the way. Half: hardly felt; twice: it hides contacts.
@@ -62,6 +60,7 @@ AccessPanel::AccessPanel(Host& host, MotionList& motions, QWidget* parent)
     said_ = shownText(error);
     refresh();
   });
+  connect(&job_, &AccessJob::kept, this, [this](const auto& measured) { addMotion(*measured); });
   connect(&host_.documentModel(), &DocumentModel::changed, this, &AccessPanel::refresh);
   connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
     part_->setText({});
@@ -127,7 +126,10 @@ void AccessPanel::addAnswer(QVBoxLayout& column) {
   section->addWidget(people_);
   report_ = makeButton("buttonAccessReport", tr("Write the report…"));
   section->addWidget(report_);
-  connect(steps_, &QListWidget::currentRowChanged, this, &AccessPanel::showStep);
+  connect(steps_, &QListWidget::currentRowChanged, this, [this] {
+    said_.clear();
+    showStep();
+  });
   connect(report_, &QPushButton::clicked, this, &AccessPanel::writeReport);
 }
 
@@ -322,15 +324,19 @@ void AccessPanel::feel(bool on) {
   said_.clear();
 }
 
+/// Measured as the command line measures what it writes; a way that misses is not kept.
 void AccessPanel::keepMotion() {
-  const access::RemovalStep* chosen = step();
-  if (chosen == nullptr) return;
-  auto motion = access::trajectoryOf(*job_.answer()->removal, chosen->unit, chosen->way, kHandSpeed);
-  const std::string name = motions_.uniqueName(motion.name);
-  if (!motions_.add(tr("Keep the way of %1").arg(QString::fromStdString(chosen->name)), {{name, std::move(motion)}})) return;
+  if (step() == nullptr) return;
+  said_.clear();
+  job_.keep(static_cast<std::size_t>(steps_->currentRow()));
+}
+
+void AccessPanel::addMotion(const trajectory::Trajectory& measured) {
+  const std::string name = motions_.uniqueName(measured.name);
+  const QString part = QString::fromStdString(measured.entity);
+  if (!motions_.add(tr("Keep the way of %1").arg(part), {{name, measured}})) return;
   said_ = tr("The dock Trajectory plays it: %1.").arg(QString::fromStdString(name));
   refresh();
-  said_.clear();
 }
 
 /// Beside the box, in a row along y: parts on top of each other would be in the way of the next.

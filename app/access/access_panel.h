@@ -41,6 +41,7 @@ class AccessPanel : public QWidget {
   void showAlong();
   void feel(bool on);
   void keepMotion();
+  void addMotion(const trajectory::Trajectory& measured);
   void layAside();
   void useShown();
   void writeReport();

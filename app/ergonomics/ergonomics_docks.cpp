@@ -19,9 +19,10 @@
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/document_model.h"
-#include "app/host/hand_at_work.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/action_face.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
@@ -199,7 +200,7 @@ class ErgonomicsDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    bringToFrontIfIdle(host_, dock);
+    if (!tellsStylusInUse(host_)) app::bringToFront(dock);
   }
 
   Host& host_;

@@ -303,7 +303,9 @@ void FileWork::reloadSelected() {
     const std::string& path = state.find(id)->source.path;
     if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
   }
-  if (!paths.empty()) reload(paths);
+  if (!paths.empty()) return reload(paths);
+  host_.messages().tell(Severity::kInformation, tr("There is no file to read again"),
+                        tr("What is selected was made in this program. Select a part that was imported from a file."));
 }
 
 void FileWork::reload(const std::vector<std::string>& paths) {

@@ -13,10 +13,10 @@
 
 #include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
-#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/host/stylus_use.h"
 #include "app/kit/action_face.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
@@ -97,7 +97,9 @@ class MannequinDocks : public QObject {
       sizes->addAction(tr(name), this, [this, request = request] { add(request); });
     new HandsToPart(context_, *menu, this);
     menu->addSeparator();
-    entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] { bringToFront(); });
+    entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] {
+      if (!tellsStylusInUse(host_)) bringToFront();
+    });
     entry("actionOpenPosture", tr("Open a posture…"), {}, [this] { panel_->openPosture(); });
     entry("actionSavePosture", tr("Save this posture (JSON, H-Anim X3D, BVH)…"), {}, [this] { panel_->savePosture(); });
     entry("actionMarkers", tr("Recorded markers (C3D)…"), {}, [this] {
@@ -142,7 +144,7 @@ class MannequinDocks : public QObject {
   }
 
   void bringToFront() {
-    bringToFrontIfIdle(host_, dock_);
+    if (!isStylusInUse(host_)) app::bringToFront(dock_);
   }
 
   Host& host_;

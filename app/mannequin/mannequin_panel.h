@@ -38,6 +38,8 @@ class MannequinPanel : public QWidget {
   /// Asks for a file, starting in the folder of the user's own postures.
   void openPosture();
   void savePosture();
+  /// Tells what is needed for a posture; false if a mannequin is selected.
+  bool lacksMannequin();
   /// Applies a posture from a file; shows errors in the messages.
   bool openPostureFile(const QString& path);
   /// The folder of the user's own postures; the menu lists those in it.

@@ -81,7 +81,15 @@ void MannequinPanel::takePosture(const QString& name) {
                                                {postureCommand(*entity, *posture)});
 }
 
+bool MannequinPanel::lacksMannequin() {
+  if (context_.entity() != nullptr) return false;
+  context_.host().messages().tell(Severity::kInformation, tr("No mannequin is selected"),
+                                  tr("A posture is that of a mannequin. Select one, or add one first."));
+  return true;
+}
+
 void MannequinPanel::openPosture() {
+  if (lacksMannequin()) return;
   const QString path = askToOpen(this, tr("Open a posture"), postureFolder(), tr("Postures (*.json);;All files (*)"));
   if (!path.isEmpty()) openPostureFile(path);
 }
@@ -102,7 +110,7 @@ bool MannequinPanel::openPostureFile(const QString& path) {
 }
 
 void MannequinPanel::savePosture() {
-  if (!context_.entity()) return;
+  if (lacksMannequin()) return;
   QDir().mkpath(postureFolder());  // What is saved there stands in the menu.
   const QString path = askToSave(this, tr("Save this posture"), postureFolder() + "/posture.json",
                                  tr("Postures (*.json);;H-Anim figures (*.x3d);;Motions of one frame (*.bvh)"));

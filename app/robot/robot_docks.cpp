@@ -11,10 +11,11 @@
 #include <QScrollArea>
 #include <QTimer>
 
-#include "app/host/hand_at_work.h"
 #include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
+#include "app/kit/dock_front.h"
 #include "app/host/selection.h"
 #include "app/kit/top_menus.h"
 #include "app/kit/form.h"
@@ -78,7 +79,9 @@ class RobotDocks : public QObject {
     const auto entry = [&](const char* name, const QString& text, auto&& slot) {
       QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});
       menu->addAction(action);
-      connect(action, &QAction::triggered, this, slot);
+      connect(action, &QAction::triggered, this, [this, slot] {
+        if (!tellsStylusInUse(host_)) slot();
+      });
     };
     entry("actionRobotPanel", tr("Configurations and jogging"), [this] { bringToFront(dock_); });
     entry("actionTools", tr("Tools and carried parts…"), [this] { openTools(); });
@@ -133,7 +136,7 @@ class RobotDocks : public QObject {
   }
 
   void bringToFront(QDockWidget* dock) {
-    bringToFrontIfIdle(host_, dock);
+    if (!isStylusInUse(host_)) app::bringToFront(dock);
   }
 
   Host& host_;

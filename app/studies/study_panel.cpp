@@ -266,7 +266,18 @@ std::string StudyPanel::entityFor(const std::string& what) const {
   return only;
 }
 
+/// The finder of commands runs what can be added even when the button Add is off.
+bool StudyPanel::lacksStudy() {
+  if (!draft_.isEmpty()) return false;
+  host_.messages().tell(Severity::kInformation, tr("No study is open"),
+                        tr("What is added becomes part of a study. Press New or Open in the dock Study, then add it "
+                           "again."));
+  about_->setText(tr("No study is open. Press New or Open first."));
+  return true;
+}
+
 void StudyPanel::addKind(const std::string& table, const std::string& what) {
+  if (lacksStudy()) return;
   std::vector<std::pair<std::string, StudyValue>> keys;
   const auto word = [](const std::string& text) { return text.empty() ? StudyValue() : StudyValue(text); };
   if (table == "require" || table == "objective") {
@@ -301,6 +312,7 @@ void StudyPanel::addArea() {
 
 /// The selected parts move; the selected mannequin, or the only one, shows the work.
 void StudyPanel::addWorkplace() {
+  if (lacksStudy()) return;
   const workcell::DocumentState& state = host_.documentModel().document().state();
   const workcell::Entity* worker = state.findByName(entityFor("posture"));
   std::vector<std::string> station;

@@ -41,6 +41,8 @@ class StudyPanel : public QWidget {
   void fillMenu(QMenu& menu);
   void addKind(const std::string& table, const std::string& what);
   void addArea();
+  /// Tells what is needed to add something; false if a study is open.
+  bool lacksStudy();
   void addWorkplace();
   void removeChosen();
   void saveAs();

@@ -2803,6 +2803,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
+        <source>A posture is that of a mannequin. Select one, or add one first.</source>
+        <translation>Une posture est celle d'un mannequin. Sélectionnez-en un, ou ajoutez-en un d'abord.</translation>
+    </message>
+    <message>
         <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
     </message>
@@ -2915,8 +2919,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajoutez un mannequin de toute taille par Ctrl+Maj+M. Il se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
     </message>
     <message>
+        <source>Add a mannequin to the cell first.</source>
+        <translation>Ajoutez d'abord un mannequin à la cellule.</translation>
+    </message>
+    <message>
         <source>Add a robot</source>
         <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Add a robot to the cell first.</source>
+        <translation>Ajoutez d'abord un robot à la cellule.</translation>
     </message>
     <message>
         <source>Add a straight move from the last frame</source>
@@ -3201,6 +3213,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As recorded</source>
         <translation>Comme enregistré</translation>
+    </message>
+    <message>
+        <source>Ask again with another depth that counts as touching, or show the way by hand.</source>
+        <translation>Recommencez avec une autre profondeur qui compte comme contact, ou montrez le trajet à la main.</translation>
     </message>
     <message>
         <source>Ask for a larger clearance, or for another seed.</source>
@@ -6599,6 +6615,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mesurer</translation>
     </message>
     <message>
+        <source>Measure the way</source>
+        <translation>Mesurer le trajet</translation>
+    </message>
+    <message>
         <source>Measured value</source>
         <translation>Valeur mesurée</translation>
     </message>
@@ -7207,6 +7227,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun mannequin à évaluer dans la cellule.</translation>
     </message>
     <message>
+        <source>No mannequin is selected</source>
+        <translation>Aucun mannequin n'est sélectionné</translation>
+    </message>
+    <message>
         <source>No mannequin of that size</source>
         <translation>Aucun mannequin de cette taille</translation>
     </message>
@@ -7233,6 +7257,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No messages yet.</source>
         <translation>Aucun message.</translation>
+    </message>
+    <message>
+        <source>No motion is switched on. Record or import one, and switch it on in the list.</source>
+        <translation>Aucun mouvement n'est activé. Enregistrez-en ou importez-en un, et activez-le dans la liste.</translation>
     </message>
     <message>
         <source>No motion yet. Press R, move an entity, press R again; or import one.</source>
@@ -7323,8 +7351,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune table de force n'est fournie ; vous pouvez charger la vôtre.</translation>
     </message>
     <message>
+        <source>No study is open</source>
+        <translation>Aucune étude n'est ouverte</translation>
+    </message>
+    <message>
         <source>No study is open.</source>
         <translation>Aucune étude n'est ouverte.</translation>
+    </message>
+    <message>
+        <source>No study is open. Press New or Open first.</source>
+        <translation>Aucune étude n'est ouverte. Appuyez d'abord sur Nouveau ou Ouvrir.</translation>
     </message>
     <message>
         <source>No stylus is connected</source>
@@ -10635,6 +10671,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
     </message>
     <message>
+        <source>The panel was not opened</source>
+        <translation>Le panneau n'a pas été ouvert</translation>
+    </message>
+    <message>
         <source>The part follows the expert's path; the cell is unchanged</source>
         <translation>La pièce suit le chemin de l'expert ; la cellule est inchangée</translation>
     </message>
@@ -10919,6 +10959,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue ; ne sont lues que si elle les appelle : %2.</translation>
     </message>
     <message>
+        <source>There is no file to read again</source>
+        <translation>Il n'y a aucun fichier à relire</translation>
+    </message>
+    <message>
         <source>There is no frame '%1' to move along; the cell's axes are used</source>
         <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
     </message>
@@ -10937,6 +10981,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>There is no motion to go back over.</source>
         <translation>Il n'y a pas de mouvement à remonter.</translation>
+    </message>
+    <message>
+        <source>There is nothing to follow</source>
+        <translation>Il n'y a rien à suivre</translation>
     </message>
     <message>
         <source>There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts</source>
@@ -11667,8 +11715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui le bloque dans la cellule telle quelle</translation>
     </message>
     <message>
+        <source>What is added becomes part of a study. Press New or Open in the dock Study, then add it again.</source>
+        <translation>Ce qui est ajouté fait partie d'une étude. Appuyez sur Nouveau ou Ouvrir dans le panneau Étude, puis recommencez l'ajout.</translation>
+    </message>
+    <message>
         <source>What is asked</source>
         <translation>Ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>What is selected was made in this program. Select a part that was imported from a file.</source>
+        <translation>Ce qui est sélectionné a été créé dans ce programme. Sélectionnez une pièce importée d'un fichier.</translation>
     </message>
     <message>
         <source>What the 3D mouse moves; its second button changes it</source>
@@ -19045,6 +19101,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the name '%1' is already in use</source>
         <translation>le nom '%1' est déjà utilisé</translation>
+    </message>
+    <message>
+        <source>the name '%1' says nothing; that of the file, '%2', is assumed</source>
+        <translation>le nom « %1 » ne dit rien ; celui du fichier, « %2 », est supposé</translation>
     </message>
     <message>
         <source>the name '%1' twice</source>

@@ -84,7 +84,7 @@ class ViewActions : public QObject {
       action->setCheckable(true);
       action->setChecked(what == What::kNothing);
       group->addAction(action);
-      connect(action, &QAction::triggered, this, [this, what] { follow_.follow(what); });
+      connect(action, &QAction::triggered, this, [this, what] { follow(what); });
       connect(&follow_, &FollowCamera::changed, action,
               [this, action, what] { action->setChecked(follow_.what() == what); });
       connect(menu, &QMenu::aboutToShow, action,
@@ -93,6 +93,15 @@ class ViewActions : public QObject {
     one("actionFollowNothing", tr("Nothing"), What::kNothing);
     one("actionFollowTool", tr("The robot's tool centre point"), What::kTool);
     one("actionFollowEyes", tr("Through the mannequin's eyes"), What::kEyes);
+  }
+
+  void follow(FollowCamera::What what) {
+    using What = FollowCamera::What;
+    if (what == What::kNothing || follow_.canFollow(what)) return follow_.follow(what);
+    host_.messages().tell(Severity::kInformation, tr("There is nothing to follow"),
+                          what == What::kTool ? tr("Add a robot to the cell first.")
+                                              : tr("Add a mannequin to the cell first."));
+    emit follow_.changed();  // The entry that was chosen is not the one that holds.
   }
 
   void setCell() { views_.setCell(QString::fromStdString(host_.documentModel().document().path().string())); }

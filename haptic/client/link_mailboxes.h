@@ -9,8 +9,8 @@
 
 namespace hapticell::haptic {
 
-/// The newest values on their way between a client's thread and its network thread; neither ever waits. What is received
-/// is written by the network thread and read by the client's; what is sent, the other way round.
+/// The newest values on their way between a client's thread and its network thread; neither ever waits. What is
+/// received is written by the network thread and read by the client's; what is sent, the other way round.
 struct LinkMailboxes {
   // Received.
   TripleBuffer<HapticState> states;

@@ -30,8 +30,8 @@ class LinkReport {
   // The network thread only.
   /// Not connected: in which state, and why.
   void become(LinkState state, LinkProblem problem);
-  /// A new attempt begins: kConnecting instead of kDisconnected. A refusal stays to be read until the attempt has another
-  /// outcome.
+  /// A new attempt begins: kConnecting instead of kDisconnected. A refusal stays to be read until the attempt has
+  /// another outcome.
   void tryAgain();
   /// The server accepted this client: its device and role. Not yet kConnected; the condition is unknown.
   void take(const Welcome& welcome);

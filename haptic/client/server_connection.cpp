@@ -91,10 +91,8 @@ void ServerConnection::open(asio::ip::tcp::socket socket) {
       MessageStream::Handlers{
           .message = [this](const Message& message) { hear(message); },
           .garbage = [this](const Error&) { disconnect(strangerAt(server(), secure_.has_value())); },
-          .unauthenticated =
-              [this](HandshakeFailure failure, const Text& why) {
-                disconnect(noHandshakeWith(server(), failure, why));
-              },
+          .unauthenticated = [this](HandshakeFailure failure,
+                                    const Text& why) { disconnect(noHandshakeWith(server(), failure, why)); },
           .closed = [this] { disconnect(closedBy(server(), secure_.has_value(), welcomed_)); }});
   stream_->start();
   stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,

@@ -29,8 +29,8 @@ class ServerConnection {
   explicit ServerConnection(const TcpLinkOptions& options);
   ~ServerConnection();
 
-  /// Sends `value` through `outbox`, one of `mailboxes`; the newest wins. Dropped if not connected, or if another client
-  /// controls the stylus. The client's thread only.
+  /// Sends `value` through `outbox`, one of `mailboxes`; the newest wins. Dropped if not connected, or if another
+  /// client controls the stylus. The client's thread only.
   template <typename T>
   void submit(TripleBuffer<T>& outbox, const T& value) {
     if (report.state() != LinkState::kConnected || !report.hasStylus()) return;

@@ -12,9 +12,8 @@ LinkProblem noServerAt(const std::string& server) {
 }
 
 LinkProblem noKeyFor(const std::string& server) {
-  return {
-      Text("This station has no key for the haptic server at %1.", server),
-      Text("Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.", server)};
+  return {Text("This station has no key for the haptic server at %1.", server),
+          Text("Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.", server)};
 }
 
 LinkProblem noHandshakeWith(const std::string& server, HandshakeFailure failure, const Text& why) {

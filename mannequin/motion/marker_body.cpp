@@ -2,10 +2,15 @@
 #include "mannequin/motion/marker_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mannequin/body/rotations.h"
+#include "mannequin/motion/joint_centres.h"
+#include "mannequin/motion/marker_ways.h"
 
 namespace hapticell::mannequin {
 
@@ -31,36 +36,14 @@ constexpr double kLooksUp = 5.0 * kDegree;
 constexpr std::size_t kMostTilts = 500;
 /// From C7 to the clavicles' notch. Our choice. Half: the neck's base at its back; twice: in its front.
 constexpr double kIntoNeck = 0.35;
-/// Sines of a joint's flexion (20 and 7 deg): from the first on its plane is believed, below the second it is not. As
-/// kBent of body_frames.cpp. Half: noise turns straight limbs; twice: half-bent ones are guessed.
-constexpr double kSureBend = 0.35, kSomeBend = 0.12;
 
-dvec3 unitOf(const dvec3& v) {
-  const double length = glm::length(v);
-  return length > 1e-9 ? v / length : dvec3(0.0);
-}
-dvec3 square(const dvec3& v, const dvec3& axis) {
-  return unitOf(v - glm::dot(v, axis) * axis);
-}
-/// Columns forward, left, up, from the first two roughly or the last two.
-dmat3 fromUp(const dvec3& up, const dvec3& left) {
-  const dvec3 z = unitOf(up), y = square(left, z);
-  return {glm::cross(y, z), y, z};
-}
-dmat3 fromForward(const dvec3& forward, const dvec3& left) {
-  const dvec3 x = unitOf(forward), y = square(left, x);
-  return {x, y, glm::cross(x, y)};
-}
 dmat3 between(const dmat3& a, const dmat3& b, double s) {
   return glm::mat3_cast(glm::slerp(glm::normalize(glm::quat_cast(a)), glm::normalize(glm::quat_cast(b)), s));
 }
 
-/// One landmark through the whole recording, without gaps.
-using Way = std::vector<dvec3>;
-
 class MarkerBody {
  public:
-  MarkerBody(const MarkerClip& clip, const MarkerSet& set) : clip_(clip), set_(set) {}
+  MarkerBody(const MarkerClip& clip, const MarkerSet& set) : clip_(clip), set_(set), ways_(clip, set) {}
 
   Expected<RecordedMotion> find() {
     motion_.frame_time = clip_.frame_time;
@@ -70,10 +53,8 @@ class MarkerBody {
     motion_.assumptions = clip_.warnings;
     motion_.assumptions.push_back(
         Text("the markers are read as %1; joints are computed from them with HaptiCell's own offsets", set_.name));
-    findBlind();
-    for (const auto& [landmark, markers] : set_.markers) {
-      HAPTICELL_TRY(addWay(landmark, markers));
-    }
+    HAPTICELL_TRY(ways_.find());
+    motion_.assumptions.insert(motion_.assumptions.end(), ways_.assumptions().begin(), ways_.assumptions().end());
     findTilts();
     tell();
     for (std::size_t f = 0; f < clip_.frames(); ++f) {
@@ -85,96 +66,13 @@ class MarkerBody {
   }
 
  private:
-  bool has(const std::string& landmark) const { return ways_.contains(landmark); }
-  dvec3 at(const std::string& landmark) const { return ways_.at(landmark)[frame_]; }
+  bool has(const std::string& landmark) const { return ways_.has(landmark); }
+  dvec3 at(const std::string& landmark) const { return ways_.at(landmark, frame_); }
   static std::string sided(std::size_t i, const char* landmark) {
     return std::string(i == 0 ? "left_" : "right_") + landmark;
   }
   bool both(const char* landmark) const { return has(sided(0, landmark)) && has(sided(1, landmark)); }
   dvec3 middle(const char* landmark) const { return 0.5 * (at(sided(0, landmark)) + at(sided(1, landmark))); }
-
-  bool isSeen(std::size_t f, std::size_t m) const {
-    const auto& p = clip_.at(f, m);
-    return p && *p != dvec3(0.0);  // Some programs write 0 0 0 for what was not seen.
-  }
-
-  /// Frames in which nothing of the person is seen: before it comes into the cameras' view, and after.
-  void findBlind() {
-    blind_.assign(clip_.frames(), true);
-    std::size_t count = 0;
-    for (std::size_t f = 0; f < blind_.size(); ++f) {
-      for (const auto& [landmark, markers] : set_.markers) {
-        for (const std::size_t m : markers) blind_[f] = blind_[f] && !isSeen(f, m);
-      }
-      count += blind_[f] ? 1 : 0;
-    }
-    if (count == 0) return;
-    motion_.assumptions.push_back(
-        Text("in %1 of %2 frames, no marker is visible; the person is assumed to stand still or to move straight, and "
-             "these frames count like others",
-             count, blind_.size()));
-  }
-
-  Expected<void> addWay(const std::string& landmark, const std::vector<std::size_t>& markers) {
-    Way way(clip_.frames());
-    std::vector<bool> seen(way.size(), false);
-    for (std::size_t f = 0; f < way.size(); ++f) {
-      bool all = true;
-      for (const std::size_t m : markers) {
-        if (!isSeen(f, m)) {
-          all = false;
-          break;
-        }
-        way[f] += *clip_.at(f, m) / static_cast<double>(markers.size());
-      }
-      seen[f] = all;
-    }
-    const std::size_t unseen = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
-    if (unseen == way.size()) {
-      MarkerSet rest = set_;
-      rest.markers.erase(landmark);
-      if (!missingLandmarks(rest).empty())
-        return makeError({.place = "markers",
-                          .found = Text("the marker on %1 is never visible", landmark),
-                          .expected = "a visible marker"});
-      motion_.assumptions.push_back(Text("the marker on %1 is never visible; it is left out", landmark));
-      return {};
-    }
-    if (unseen > 0) fill(landmark, way, seen);
-    ways_[landmark] = std::move(way);
-    return {};
-  }
-
-  void fill(const std::string& landmark, Way& way, const std::vector<bool>& seen) {
-    std::size_t longest = 0, count = 0;
-    for (std::size_t f = 0; f < way.size();) {
-      if (seen[f]) {
-        ++f;
-        continue;
-      }
-      std::size_t end = f;
-      while (end < way.size() && !seen[end]) ++end;
-      for (std::size_t k = f; k < end; ++k) {
-        const double s = static_cast<double>(k - f + 1) / static_cast<double>(end - f + 1);
-        if (f == 0)
-          way[k] = way[end];
-        else
-          way[k] = end == way.size() ? way[f - 1] : (1.0 - s) * way[f - 1] + s * way[end];
-      }
-      const auto first = blind_.begin() + static_cast<std::ptrdiff_t>(f);
-      const auto last = blind_.begin() + static_cast<std::ptrdiff_t>(end);
-      const std::size_t here = static_cast<std::size_t>(std::count(first, last, false));
-      longest = std::max(longest, here > 0 ? end - f : 0);
-      count += here;
-      f = end;
-    }
-    if (count == 0) return;
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.2f", static_cast<double>(longest) * clip_.frame_time);
-    motion_.assumptions.push_back(
-        Text("the marker on %1 is not visible in %2 of %3 frames, for at most %4 s; its position is interpolated",
-             landmark, count, way.size(), std::string(seconds)));
-  }
 
   /// How the markers of pelvis and head lie on them: where the trunk is upright the pelvis is in line with it; and a
   /// head does not look up on the whole.
@@ -284,32 +182,6 @@ class MarkerBody {
     if (hasFourOfHead() || hasLineOfHead()) body.R_head = body.R_head * aboutY(head_tilt_);
   }
 
-  /// To the left, across a knee or an elbow: by its bend, where it is bent, else as the trunk's.
-  static dvec3 axisOf(const dvec3& from, const dvec3& middle, const dvec3& to, double bends, const dvec3& otherwise) {
-    const dvec3 bone = unitOf(middle - from);
-    const dvec3 axis = bends * glm::cross(unitOf(to - middle), bone);
-    const double sure = std::clamp((glm::length(axis) - kSomeBend) / (kSureBend - kSomeBend), 0.0, 1.0);
-    const dvec3 plain = square(otherwise, bone);
-    const dvec3 seen = unitOf(axis);
-    return unitOf((1.0 - sure) * plain + (glm::dot(seen, plain) > 0.0 ? sure : 0.0) * seen);
-  }
-  /// Outwards from a hinge's centre to the marker on its outside, square to both bones: the centre is that far from the
-  /// marker that the line of the outer ends and the marker tell, and bends the right way. `turn`: the sign of the cross
-  /// product of both bones along the outward axis.
-  static dvec3 outwardOf(const dvec3& from, const dvec3& marker, const dvec3& to, double offset, double turn) {
-    const dvec3 along = unitOf(to - from);
-    const dvec3 m = (marker - from) - glm::dot(marker - from, along) * along;
-    const double h = glm::length(m);
-    if (h < 1e-6) return square(dvec3(0, 1, 0), along);
-    const dvec3 a = m / h, b = glm::cross(along, a);
-    const double c = std::min(1.0, offset / h), s = std::sqrt(1.0 - c * c);
-    const auto bends = [&](const dvec3& n) {
-      const dvec3 centre = marker - offset * n;
-      return turn * glm::dot(glm::cross(centre - from, to - centre), n);
-    };
-    const dvec3 one = c * a + s * b, other = c * a - s * b;
-    return bends(one) >= bends(other) ? one : other;
-  }
   /// The centre of a knee or an elbow, and its axis to the left.
   struct Hinge {
     dvec3 centre, left;
@@ -318,12 +190,12 @@ class MarkerBody {
                 const dvec3& otherwise) const {
     const double out = i == 0 ? 1.0 : -1.0;
     const std::string outer = sided(i, name), inner = outer + "_inside", centre = outer + "_joint";
-    if (has(centre)) return {at(centre), axisOf(from, at(centre), to, bends, otherwise)};
+    if (has(centre)) return {at(centre), hingeAxis(from, at(centre), to, bends, otherwise)};
     if (has(inner)) {
       const dvec3 middle = 0.5 * (at(outer) + at(inner));
       return {middle, square(out * (at(outer) - at(inner)), unitOf(middle - from))};
     }
-    const dvec3 n = outwardOf(from, at(outer), to, half + kMarkerRadius, -bends * out);
+    const dvec3 n = hingeOutward(from, at(outer), to, half + kMarkerRadius, -bends * out);
     return {at(outer) - (half + kMarkerRadius) * n, out * n};
   }
   dvec3 joint(std::size_t i, const char* name, double half, const dvec3& left) const {
@@ -337,15 +209,6 @@ class MarkerBody {
     return has(plain) ? at(plain) : at(plain + "_joint");
   }
 
-  /// A joint's centre inside its outer marker, square to the bone and in the plane of a marker on the bone's outside,
-  /// as Plug-in Gait has it.
-  static dvec3 inside(const dvec3& above, const dvec3& marker, const dvec3& plane, double offset) {
-    const dvec3 down = marker - above, along = unitOf(down);
-    const double sine = std::min(0.9, offset / std::max(1e-6, glm::length(down)));
-    const dvec3 out = square(plane - above, along);
-    return marker - offset * (std::sqrt(1.0 - sine * sine) * out + sine * along);
-  }
-
   void leg(std::size_t i, RecordedBody& body) const {
     const double out = i == 0 ? 1.0 : -1.0;
     dvec3 foot = mark(i, "ankle");
@@ -357,13 +220,13 @@ class MarkerBody {
     dvec3 left = knee.left;
     const bool inner = has(sided(i, "knee_inside")) || has(sided(i, "knee_joint"));
     if (!inner && has(sided(i, "thigh"))) {
-      body.knee[i] = inside(body.hip[i], at(sided(i, "knee")), at(sided(i, "thigh")), kHalfKnee + kMarkerRadius);
+      body.knee[i] = centreInside(body.hip[i], at(sided(i, "knee")), at(sided(i, "thigh")), kHalfKnee + kMarkerRadius);
       left = square(out * (at(sided(i, "knee")) - body.knee[i]), unitOf(body.hip[i] - body.knee[i]));
     }
     body.ankle[i] = joint(i, "ankle", kHalfAnkle, left);
     const bool inner_ankle = has(sided(i, "ankle_inside")) || has(sided(i, "ankle_joint"));
     if (!inner_ankle && has(sided(i, "shank")))
-      body.ankle[i] = inside(body.knee[i], at(sided(i, "ankle")), at(sided(i, "shank")), kHalfAnkle + kMarkerRadius);
+      body.ankle[i] = centreInside(body.knee[i], at(sided(i, "ankle")), at(sided(i, "shank")), kHalfAnkle + kMarkerRadius);
     body.thigh_forward[i] = glm::cross(left, unitOf(body.hip[i] - body.knee[i]));
     const dvec3 shank = unitOf(body.knee[i] - body.ankle[i]);
     body.R_foot[i] = fromUp(shank, left);
@@ -430,9 +293,8 @@ class MarkerBody {
 
   const MarkerClip& clip_;
   const MarkerSet& set_;
+  MarkerWays ways_;
   RecordedMotion motion_;
-  std::map<std::string, Way> ways_;
-  std::vector<bool> blind_;
   std::size_t frame_ = 0;
   double pelvis_tilt_ = 0.0, head_tilt_ = 0.0;  ///< rad, forwards.
 };

@@ -51,6 +51,22 @@ TEST(RemovalWay, ThePromisesFindAWayThroughAWall) {
   EXPECT_FALSE(removalPromises(scene, 0, UnitSet{2}, trajectoryOf(scene, 0, half, 0.1)).areKept());
 }
 
+TEST(RemovalWay, OnlyAWayThatKeepsItsPromisesIsKept) {
+  const RemovalScene scene = boxedIn(0.001, true).removal("block");
+  const auto up = straightAsWay(scene, 0, {0.0, 0.0, 1.0}, 0.5);
+  const auto refused = keptMotion(scene, 0, 0, up, 0.1);
+  ASSERT_FALSE(refused.has_value()) << "the lid is in the way";
+  EXPECT_NE(refused.error().message().find("depth"), std::string::npos) << refused.error().message();
+  EXPECT_NE(refused.error().message().find("Nothing was written."), std::string::npos);
+  EXPECT_EQ(refused.error().message().find("--"), std::string::npos) << "a window has no options";
+  const auto kept = keptMotion(scene, 0, UnitSet{2}, up, 0.1);
+  ASSERT_TRUE(kept.has_value()) << kept.error().message();
+  EXPECT_EQ(kept->entity, "block");
+  EXPECT_NEAR(kept->duration(), up.length() / 0.1, 1e-6);
+  const auto half = straightAsWay(scene, 0, {0.0, 0.0, 1.0}, 0.02);
+  EXPECT_FALSE(keptMotion(scene, 0, UnitSet{2}, half, 0.1).has_value()) << "still in the box";
+}
+
 TEST(RemovalWay, ClearancesAreThoseOfTheGaps) {
   const RemovalScene scene = boxedIn(0.003, false).removal("block");
   const auto way = straightAsWay(scene, 0, {0.0, 0.0, 1.0}, scene.wayOut(0, {0.0, 0.0, 1.0}));

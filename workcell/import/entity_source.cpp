@@ -14,6 +14,7 @@
 #include "workcell/meshes/mesh_reader.h"
 #include "workcell/robots/robot_library.h"
 #include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/placeholder_name.h"
 #include "workcell/scenes/scene_exchange.h"
 #include "workcell/scenes/whole_mesh.h"
 #include "workcell/text/text_cursor.h"
@@ -23,6 +24,15 @@ namespace hapticell::workcell {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// The same path of a part; in documents of 0.2 the top of a file may have a name that says nothing, which is now that
+/// of the file.
+bool isSamePart(const std::string& written, const std::string& now, const std::string& stem) {
+  if (written == now) return true;
+  const std::size_t end = std::min(written.find('/'), written.size());
+  const std::size_t number = std::min(written.rfind('#', end), end);
+  return saysNothing(written.substr(0, number)) && now == stem + written.substr(number);
+}
 
 std::string schemeOf(const std::string& what) {
   const std::size_t colon = what.find(':');
@@ -216,7 +226,7 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
     known = trees_.emplace(key, std::move(*tree)).first;
   }
   for (const Entity& entity : known->second.entities) {
-    if (!options.merge && entity.source.part != source.part) continue;
+    if (!options.merge && !isSamePart(source.part, entity.source.part, file.stem().string())) continue;
     Entity found = entity;
     found.parent.clear();
     return found;

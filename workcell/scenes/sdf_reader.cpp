@@ -2,12 +2,10 @@
 #include "workcell/scenes/sdf_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <map>
 
 #include "kinematics/closures/joint_graph.h"
+#include "workcell/scenes/sdf_joints.h"
 #include "workcell/scenes/sdf_robot.h"
 #include "workcell/scenes/sdf_shapes.h"
 #include "workcell/scenes/sdf_tidier.h"
@@ -20,23 +18,17 @@ namespace {
 
 using kinematics::GraphJoint;
 using kinematics::JointGraph;
-using kinematics::JointType;
 using kinematics::LinkShape;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNoLimit = 1e15;  // SDF's own words for none are -1e16 and 1e16.
-
-/// An axis of a joint in the robot's frame M, with its own limits.
-struct SdfAxis {
-  dvec3 axis_M{0.0};
-  double lower = -kInfinity, upper = kInfinity, velocity = 0.0;
-};
 
 class SdfModelReader {
  public:
   SdfModelReader(const SdfSource& source, const SdfModel& model, const fs::path& file, Diagnostics& diagnostics,
                  ImportMonitor* monitor)
-      : model_(model), file_(file), diagnostics_(diagnostics), shapes_(source, asGazeboDoes(), monitor) {}
+      : model_(model),
+        file_(file),
+        diagnostics_(diagnostics),
+        shapes_(source, asGazeboDoes(), monitor),
+        joints_(graph_, file, diagnostics) {}
 
   Expected<SdfRobot> read() {
     graph_.name = model_.name;
@@ -45,7 +37,7 @@ class SdfModelReader {
       return makeError(
           refusal(Text("model '%1'", graph_.name), Text("the model has no links"), Text("at least one <link>")));
     if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
-    setMimics();
+    joints_.setMimics();
     graph_.root = root();
     if (!graph_.joints.empty()) fixFreeLinks();
     auto model = kinematics::modelOfGraph(graph_);
@@ -61,8 +53,7 @@ class SdfModelReader {
 
  private:
   Error refusal(Text place, Text found, Text expected) const {
-    return {
-        .file = file_.string(), .place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
+    return sdfRefusal(file_, std::move(place), std::move(found), std::move(expected));
   }
 
   int linkNamed(const std::string& name) const {
@@ -80,7 +71,8 @@ class SdfModelReader {
     }
     for (const SdfModel& inside : model.models) {
       if (!inside.X_M.fault.empty())
-        return makeError(refusal(Text("model '%1'", inside.name), inside.X_M.fault, Text("a pose that can be resolved")));
+        return makeError(
+            refusal(Text("model '%1'", inside.name), inside.X_M.fault, Text("a pose that can be resolved")));
       if (auto added = addModel(inside, scope + inside.name + "::", X_MN * inside.X_M.X); !added) return added;
     }
     for (const SdfJoint& joint : model.joints) {
@@ -164,150 +156,7 @@ class SdfModelReader {
     if (!source.X_MJ.fault.empty())
       return makeError(refusal(place, source.X_MJ.fault, Text("a pose that can be resolved")));
     joint.X_MJ = Pose::translation((X_MN * source.X_MJ.X).p);  // Axes are asked for in the model's frame.
-    return addTyped(source, joint, scope, X_MN, place);
-  }
-
-  Expected<std::vector<SdfAxis>> axesOf(const SdfJoint& source, const std::string& scope, const Pose& X_MN,
-                                        const Text& place) {
-    std::vector<SdfAxis> axes;
-    for (unsigned k = 0; k < source.axes.size(); ++k) {
-      if (!source.axes[k]) continue;
-      const SdfJointAxis& axis = *source.axes[k];
-      if (!axis.fault.empty()) return makeError(refusal(place, axis.fault, Text("an axis")));
-      if (!(glm::length(axis.xyz_M) > 1e-9))
-        return makeError(refusal(place, Text("an axis of length zero"), Text("a direction")));
-      SdfAxis made;
-      made.axis_M = X_MN.rotate(glm::normalize(axis.xyz_M));
-      made.lower = axis.lower < -kNoLimit ? -kInfinity : axis.lower;
-      made.upper = axis.upper > kNoLimit ? kInfinity : axis.upper;
-      made.velocity = axis.velocity > 0.0 && axis.velocity < kNoLimit ? axis.velocity : 0.0;
-      if (std::isnan(made.lower) || made.lower > made.upper)
-        return makeError(refusal(place,
-                                 Text("its lower limit %1 is above its upper limit %2", std::to_string(made.lower),
-                                      std::to_string(made.upper)),
-                                 "lower <= upper"));
-      axes.push_back(made);
-      noteMimic(axis, scope, scope + source.name, k);
-    }
-    return axes;
-  }
-
-  /// One joint for each axis, with its own limits.
-  void addAxes(const GraphJoint& prototype, const std::vector<SdfAxis>& axes, bool slides) {
-    std::vector<dvec3> directions;
-    for (const SdfAxis& axis : axes) directions.push_back(axis.axis_M);
-    const std::size_t first = graph_.joints.size();
-    kinematics::addCompoundJoint(graph_, prototype, directions);
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-      kinematics::Joint& joint = graph_.joints[first + k].joint;
-      joint.lower = axes[k].lower;
-      joint.upper = axes[k].upper;
-      joint.velocity = axes[k].velocity;
-      const bool endless = std::isinf(joint.lower) && std::isinf(joint.upper);
-      joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
-      if (slides) joint.type = JointType::kPrismatic;
-    }
-  }
-
-  Expected<void> addTyped(const SdfJoint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
-                          const Text& place) {
-    auto read = axesOf(source, scope, X_MN, place);
-    HAPTICELL_TRY(read);
-    std::vector<SdfAxis>& axes = *read;
-    const auto take = [&](std::size_t count, bool slides) -> Expected<void> {
-      if (axes.size() < count) return makeError(refusal(place, Text("the axis is missing"), Text("<axis> with <xyz>")));
-      axes.resize(count);
-      addAxes(joint, axes, slides);
-      return {};
-    };
-    switch (source.type) {
-      case SdfJoint::Type::kFixed:
-        joint.joint.type = JointType::kFixed;
-        graph_.joints.push_back(joint);
-        return {};
-      case SdfJoint::Type::kContinuous:
-        for (SdfAxis& axis : axes) {  // Which goes round for ever whatever limits stand there.
-          axis.lower = -kInfinity;
-          axis.upper = kInfinity;
-        }
-        return take(1, false);
-      case SdfJoint::Type::kRevolute:
-        return take(1, false);
-      case SdfJoint::Type::kPrismatic:
-        return take(1, true);
-      case SdfJoint::Type::kUniversal:
-      case SdfJoint::Type::kRevolute2:
-        return take(2, false);
-      case SdfJoint::Type::kBall:
-        addAxes(joint, {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, false);
-        return {};
-      case SdfJoint::Type::kScrew:
-        return addScrew(source, joint, axes, place);
-      case SdfJoint::Type::kGearbox:
-        diagnostics_.warn(Text("%1: %2 is a gearbox; it is left out", file_.string(), place));
-        return {};
-      case SdfJoint::Type::kInvalid:
-        break;
-    }
-    return makeError(refusal(place, Text("an unknown joint type"),
-                             Text("revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball")));
-  }
-
-  Expected<void> addScrew(const SdfJoint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
-                          const Text& place) {
-    if (axes.empty()) return makeError(refusal(place, Text("the axis is missing"), Text("<axis> with <xyz>")));
-    joint.joint.axis_J = axes[0].axis_M;
-    joint.joint.lower = axes[0].lower;
-    joint.joint.upper = axes[0].upper;
-    joint.joint.velocity = axes[0].velocity;
-    const bool endless = std::isinf(joint.joint.lower) && std::isinf(joint.joint.upper);
-    joint.joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
-    if (!(std::abs(source.pitch) > 1e-12 && std::abs(source.pitch) < 1e9))
-      return makeError(refusal(place, Text("a screw joint without pitch"), "<thread_pitch>"));
-    kinematics::addScrewJoint(graph_, joint, source.pitch);
-    return {};
-  }
-
-  /// SDF 1.11: position = multiplier (position of the other - reference) + offset.
-  void noteMimic(const SdfJointAxis& axis, const std::string& scope, const std::string& joint, unsigned number) {
-    if (!axis.mimic) return;
-    MimicOf made;
-    made.follower = {joint, number};
-    made.leader = {scope + axis.mimic->joint, axis.mimic->second_axis ? 1u : 0u};
-    made.multiplier = axis.mimic->multiplier;
-    made.offset = axis.mimic->offset - made.multiplier * axis.mimic->reference;
-    mimics_.push_back(made);
-  }
-
-  void setMimics() {
-    const auto find = [&](const std::pair<std::string, unsigned>& wanted) {
-      for (std::size_t k = 0; k < graph_.joints.size(); ++k) {
-        const std::string& name = graph_.joints[k].joint.name;
-        if ((wanted.second == 0 && name == wanted.first) ||
-            name == wanted.first + "_" + std::to_string(wanted.second + 1)) {
-          return static_cast<int>(k);
-        }
-      }
-      return -1;
-    };
-    for (const MimicOf& mimic : mimics_) {
-      const int follower = find(mimic.follower), leader = find(mimic.leader);
-      const bool chained = std::any_of(mimics_.begin(), mimics_.end(),
-                                       [&](const MimicOf& other) { return find(other.follower) == leader; });
-      if (follower < 0 || leader < 0 || chained) {
-        const std::string file = file_.string();
-        diagnostics_.warn(
-            chained
-                ? Text("%1: joint '%2' is read as an independent joint, because it follows '%3', which follows another "
-                       "joint",
-                       file, mimic.follower.first, mimic.leader.first)
-                : Text("%1: joint '%2' is read as an independent joint, because it follows '%3', which does not exist",
-                       file, mimic.follower.first, mimic.leader.first));
-        continue;
-      }
-      graph_.joints[static_cast<std::size_t>(follower)].joint.mimic =
-          kinematics::Mimic{leader, mimic.multiplier, mimic.offset};
-    }
+    return joints_.add(source, joint, scope, X_MN, place);
   }
 
   /// Bodies of the model that no joint reaches stand where the file puts them.
@@ -363,18 +212,13 @@ class SdfModelReader {
     }
   }
 
-  struct MimicOf {
-    std::pair<std::string, unsigned> follower, leader;  // Joint, number of its axis.
-    double multiplier = 1.0, offset = 0.0;
-  };
-
   const SdfModel& model_;
   const fs::path& file_;
   Diagnostics& diagnostics_;
   SdfShapes shapes_;
   JointGraph graph_;
+  SdfJointReader joints_;
   std::string world_link_;
-  std::vector<MimicOf> mimics_;
 };
 
 bool movesInside(const SdfModel& model) {

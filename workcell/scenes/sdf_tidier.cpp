@@ -2,18 +2,14 @@
 #include "workcell/scenes/sdf_tidier.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
-#include "geometry/system/plain_number.h"
-#include "geometry/system/text_case.h"
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_population.h"
+#include "workcell/scenes/sdf_values.h"
 #include "workcell/text/file_content.h"
-#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -41,29 +37,6 @@ Text nameFor(const TiXmlElement* element) {
     if (const std::string named = textOf(element, "name"); !named.empty()) return Text("'" + named + "'");
   }
   return Text("the file");
-}
-
-std::string textOfNumbers(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) {
-    text.append(text.empty() ? "" : " ").append(plainNumber(number, std::chars_format::general, 17));
-  }
-  return text;
-}
-
-/// How many numbers stand in an element of that name; 0: none.
-std::size_t numbersOfElement(const std::string& name) {
-  static const std::map<std::string, std::size_t> kCounts = {{"size", 3},         {"radius", 1},
-                                                             {"length", 1},       {"radii", 3},
-                                                             {"scale", 3},        {"xyz", 3},
-                                                             {"lower", 1},        {"upper", 1},
-                                                             {"velocity", 1},     {"diffuse", 4},
-                                                             {"offset", 1},       {"ambient", 4},
-                                                             {"multiplier", 1},   {"screw_thread_pitch", 1},
-                                                             {"thread_pitch", 1}, {"step", 3},
-                                                             {"reference", 1}};
-  const auto found = kCounts.find(name);
-  return found == kCounts.end() ? 0 : found->second;
 }
 
 /// True where the text means the same in all versions from 1.4: no joints, no frames in the manner of 1.6, no names
@@ -222,15 +195,16 @@ bool SdfTidier::keep(TiXmlElement& parent, TiXmlElement& child, Names& names, co
 
 bool SdfTidier::keepByKind(TiXmlElement& parent, TiXmlElement& child, const Place& place) {
   const std::string kind = child.ValueStr();
-  if (kind == "pose") return keepPose(child, parent, place);
-  if (numbersOfElement(kind) > 0 && !child.FirstChildElement()) return keepNumbers(child, parent, place);
-  if (kind == "center" || kind == "use_parent_model_frame") return keepWord(child);
+  const TellSdf say = [&](Text what) { tell(parent, place, std::move(what)); };
+  if (kind == "pose") return keepSdfPose(child, say);
+  if (sdfNumbersOf(kind) > 0 && !child.FirstChildElement()) return keepSdfNumbers(child, say);
+  if (kind == "center" || kind == "use_parent_model_frame") return keepSdfWord(child);
   if (kind == "mesh" && parent.ValueStr() == "geometry") {
     tidyChildren(child, place);
     return keepMesh(child, place);
   }
   tidyChildren(child, place);
-  if (kind == "geometry") return keepShape(child, parent, place);
+  if (kind == "geometry") return keepSdfShape(child, say);
   const bool shape = kind == "visual" || kind == "collision";
   return !shape || child.FirstChildElement("geometry") != nullptr;
 }
@@ -252,70 +226,6 @@ void SdfTidier::giveName(TiXmlElement& element, Names& names, const Place& place
     tell(element, place, Text("the name is used twice or not allowed; this <%1> is renamed '%2'", kind, name));
   }
   element.SetAttribute("name", name);
-}
-
-bool SdfTidier::keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place& place) {
-  const std::string text = textOf(pose), format = attributeOf(pose, "rotation_format");
-  const bool quaternion = format == "quat_xyzw";
-  if (!format.empty() && !quaternion && format != "euler_rpy") {
-    tell(of, place, Text("the rotation format '%1' is not known; roll, pitch, yaw is assumed", format));
-    pose.RemoveAttribute("rotation_format");
-  }
-  if (text.empty()) return true;
-  std::vector<double> numbers = numbersIn(text);
-  const auto usable = std::find_if_not(numbers.begin(), numbers.end(), [](double n) { return isUsable(n); });
-  numbers.erase(usable, numbers.end());
-  const std::size_t wanted = quaternion ? 7 : 6;
-  if (numbers.size() != wanted) {
-    tell(of, place,
-         Text("the pose '%1' has %2 numbers instead of %3; 0 is assumed for the others", text, numbers.size(), wanted));
-    numbers.resize(wanted, 0.0);
-    setText(pose, textOfNumbers(numbers));
-  }
-  if (!quaternion) return true;
-  if (std::hypot(std::hypot(numbers[3], numbers[4]), std::hypot(numbers[5], numbers[6])) > 1e-9) return true;
-  tell(of, place, Text("the pose '%1' has a quaternion of length 0; no rotation is assumed", text));
-  numbers[6] = 1.0;
-  setText(pose, textOfNumbers(numbers));
-  return true;
-}
-
-/// A word too many or too few would have the library refuse the file.
-bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const Place& place) {
-  const std::string kind = element.ValueStr(), text = textOf(element);
-  const std::size_t wanted = numbersOfElement(kind);
-  std::vector<double> numbers = numbersIn(text);
-  const bool color = kind == "diffuse" || kind == "ambient";
-  if (color && numbers.size() == 3) numbers.push_back(1.0);
-  const bool limit = kind == "lower" || kind == "upper" || kind == "velocity";
-  if (limit && numbers.size() == 1 && std::isinf(numbers[0])) numbers[0] = std::copysign(1e16, numbers[0]);
-  const bool sound = numbers.size() == wanted &&
-                     std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
-  if (sound) {
-    setText(element, textOfNumbers(numbers));
-    return true;
-  }
-  if (color) return false;
-  const Text is = wanted > 1 ? Text("<%1> is '%2' instead of %3 numbers", kind, text, wanted)
-                             : Text("<%1> is '%2' instead of 1 number", kind, text);
-  if (kind == "scale" || kind == "multiplier") {
-    tell(of, place, Text("%1; 1 is assumed", is));
-  } else if (kind == "lower" || kind == "upper") {
-    tell(of, place, Text("%1; no limit is assumed", is));
-  } else if (kind == "offset" || kind == "reference") {
-    tell(of, place, Text("%1; 0 is assumed", is));
-  } else {
-    tell(of, place, is);
-  }
-  return false;
-}
-
-/// "true" or "false"; what is neither is taken as its default.
-bool SdfTidier::keepWord(TiXmlElement& element) {
-  const std::string word = lowerCase(textOf(element));
-  if (word != "true" && word != "false" && word != "1" && word != "0") return false;
-  setText(element, word == "true" || word == "1" ? "true" : "false");
-  return true;
 }
 
 bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& names, const Place& place) {
@@ -404,28 +314,6 @@ bool SdfTidier::keepMesh(TiXmlElement& mesh, const Place& place) {
   return true;
 }
 
-/// A shape whose size is missing would get one that the standard makes up.
-bool SdfTidier::keepShape(TiXmlElement& geometry, const TiXmlElement& of, const Place& place) {
-  const TiXmlElement* const shape = geometry.FirstChildElement();
-  if (!shape) return false;  // Told where it was taken out.
-  static const std::map<std::string, std::vector<const char*>> kSizes = {{"box", {"size"}},
-                                                                         {"sphere", {"radius"}},
-                                                                         {"cylinder", {"radius", "length"}},
-                                                                         {"capsule", {"radius", "length"}},
-                                                                         {"ellipsoid", {"radii"}}};
-  const auto sizes = kSizes.find(shape->ValueStr());
-  if (sizes == kSizes.end()) return true;
-  for (const char* size : sizes->second) {
-    const std::vector<double> numbers = numbersIn(textOf(shape, size));
-    const bool positive = !numbers.empty() &&
-                          std::all_of(numbers.begin(), numbers.end(), [](double n) { return n > 0.0 && isUsable(n); });
-    if (positive) continue;
-    tell(of, place, Text("is left out: a shape <%1> without size", shape->ValueStr()));
-    return false;
-  }
-  return true;
-}
-
 /// Puts the models of a population where Gazebo does.
 void SdfTidier::settle(TiXmlElement& world, TiXmlElement& population, Names& names, const Place& place) {
   const Population settled = populationOf(population);
@@ -438,7 +326,7 @@ void SdfTidier::settle(TiXmlElement& world, TiXmlElement& population, Names& nam
     while (TiXmlElement* pose = clone->FirstChildElement("pose")) clone->RemoveChild(pose);
     TiXmlElement pose("pose");
     const dvec3& p = settled.positions[k];
-    setText(pose, textOfNumbers({p.x, p.y, p.z, 0, 0, 0}));
+    setText(pose, sdfTextOf({p.x, p.y, p.z, 0, 0, 0}));
     clone->InsertEndChild(pose);
     if (source->ValueStr() == "model") clone->SetAttribute("name", name);
     if (!keep(world, *clone, names, place)) world.RemoveChild(clone);

@@ -83,12 +83,8 @@ class SdfTidier {
   bool keep(TiXmlElement& parent, TiXmlElement& child, Names& names, const Place& place);
   bool keepByKind(TiXmlElement& parent, TiXmlElement& child, const Place& place);
   void giveName(TiXmlElement& element, Names& names, const Place& place);
-  bool keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place& place);
-  bool keepNumbers(TiXmlElement& element, const TiXmlElement& of, const Place& place);
-  bool keepWord(TiXmlElement& element);
   bool keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& names, const Place& place);
   bool keepMesh(TiXmlElement& mesh, const Place& place);
-  bool keepShape(TiXmlElement& geometry, const TiXmlElement& of, const Place& place);
   void settle(TiXmlElement& world, TiXmlElement& population, Names& names, const Place& place);
   const Taken& take(const std::filesystem::path& file, const Place& place);
   void tell(const TiXmlElement& of, const Place& place, Text what);

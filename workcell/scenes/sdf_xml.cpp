@@ -30,6 +30,7 @@ Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocumen
     return makeError({.file = file.string(), .found = "a NUL byte", .expected = "SDF"});
   auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
   HAPTICELL_TRY(flat);
+  document.Clear();  // Parse() adds to what is there, and the first root counts.
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     return makeError({.file = file.string(),

@@ -11,7 +11,8 @@
 
 namespace hapticell::workcell {
 
-/// Reads the root element <sdf> of a file into `document`. Errors: not readable, no XML, over 200 levels, another root.
+/// Reads the root element <sdf> of a file into `document`, in place of what it held. Errors: not readable, no XML, over
+/// 200 levels, another root; `document` then holds nothing of use.
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document);
 
 /// Text of the first child of that name, trimmed; empty if there is no such child. `parent` may be null.

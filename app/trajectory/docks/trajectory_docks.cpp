@@ -16,8 +16,8 @@
 
 #include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
-#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/kit/action_face.h"
@@ -107,7 +107,7 @@ class TrajectoryDocks : public QObject {
     connect(panel_, &TrajectoryPanel::trimWanted, motion_, &MotionPanel::trim);
     connect(panel_, &TrajectoryPanel::frameChosen, this, [this](std::size_t frame) { motion_->setFrame(frame); });
     connect(panel_, &TrajectoryPanel::roomWanted, this, [this] {
-      if (isHandAtWork(host_) || dock_->isFloating() || dock_->height() >= kHighDock) return;
+      if (isStylusInUse(host_) || dock_->isFloating() || dock_->height() >= kHighDock) return;
       host_.window().resizeDocks({dock_}, {kHighDock}, Qt::Vertical);
     });
     connect(motion_, &MotionPanel::sectionWanted, this,
@@ -196,7 +196,7 @@ class TrajectoryDocks : public QObject {
     entry({"actionAddFrame", tr("Add a frame"), {}, QKeySequence(Qt::SHIFT | Qt::Key_R), {}}, [this] { addFrame(); });
     menu->addSeparator();
     entry({"actionPlay", tr("Play or pause"), "play", {}, {}},
-          [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
+          [this] { playOrPause(); });
     entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
     entry({"actionTraining", tr("Train on a motion…"), "hand", {}, {}}, [this] { training_.open(); });
@@ -223,6 +223,13 @@ class TrajectoryDocks : public QObject {
     }
   }
 
+  void playOrPause() {
+    if (player_.playback().isPlaying()) return player_.pause();
+    player_.play();
+    if (!player_.playback().isPlaying())
+      panel_->showLine(tr("No motion is switched on. Record or import one, and switch it on in the list."), true);
+  }
+
   void makeVideo() {
     if (video_.isBusy()) {
       video_.cancel();
@@ -236,7 +243,7 @@ class TrajectoryDocks : public QObject {
   }
 
   void openMotion(const QString& section) {
-    if (isHandAtWork(host_)) {
+    if (isStylusInUse(host_)) {
       panel_->showLine(tr("Switch the forces off first. Panels stay in place while the stylus is in use."), true);
       return;
     }

@@ -8,8 +8,9 @@
 #include "app/controls/robot_ghosts.h"
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
-#include "app/host/hand_at_work.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
+#include "app/kit/dock_front.h"
 #include "app/host/recording_hub.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training/training_panel.h"
@@ -61,7 +62,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
 }
 
 void TrainingDocks::open() {
-  bringToFrontIfIdle(host_, dock_);
+  if (!tellsStylusInUse(host_)) bringToFront(dock_);
 }
 
 void TrainingDocks::openCell(const QString& path) {

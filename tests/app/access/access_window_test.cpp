@@ -33,7 +33,10 @@ TEST(AccessDock, StepsAreFoundDrawnKeptLaidAsideAndFelt) {
   EXPECT_LT(glm::length(page.ghost()->p - gear.X_WE.p), 1e-9) << "and at its begin, the part where it stands";
 
   page.click("buttonAccessKeep");
-  ASSERT_EQ(page.motions().motions().size(), 1u);
+  // It is measured first.
+  ASSERT_TRUE(AccessPage::until([&] { return page.motions().motions().size() == 1; }, AccessPage::kAnswerPatience))
+      << page.words("labelAccessResult").toStdString();
+  EXPECT_TRUE(page.words("labelAccessResult").contains("Trajectory")) << page.words("labelAccessResult").toStdString();
   EXPECT_EQ(page.RobotPage::steps(), before + 1) << "one step of undo";
   EXPECT_EQ(page.motions().motions()[0].trajectory->entity, "gear 1");
 

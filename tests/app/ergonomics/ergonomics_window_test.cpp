@@ -39,6 +39,31 @@ struct ErgonomicsPage : MannequinPage {
   const ergonomics::WorkTask* task() { return document().document().state().workTaskOf("Operator"); }
 };
 
+TEST(ErgonomicsDock, APanelThatStaysShutWhileTheStylusIsUsedSaysSo) {
+  ErgonomicsPage page;
+  manipulation::SceneSnapshot used;
+  used.stylus.forces_on = true;
+  for (const char* command : {"actionWorkplace", "actionTools", "actionMannequinPanel"}) {
+    page.window().setSnapshot(used);
+    const std::size_t before = page.window().messages().messages().size();
+    page.trigger(command);
+    ASSERT_EQ(page.window().messages().messages().size(), before + 1) << command;
+    EXPECT_EQ(page.window().messages().messages().back().title, "The panel was not opened");
+    page.window().setSnapshot(std::nullopt);
+    page.trigger(command);
+    EXPECT_EQ(page.window().messages().messages().size(), before + 1) << command;
+  }
+}
+
+TEST(ErgonomicsDock, APostureThatIsSavedWithoutAMannequinSaysWhatIsNeeded) {
+  ErgonomicsPage page;
+  for (const char* command : {"actionSavePosture", "actionOpenPosture"}) {
+    page.trigger(command);
+    ASSERT_FALSE(page.window().messages().messages().empty());
+    EXPECT_EQ(page.window().messages().messages().back().title, "No mannequin is selected") << command;
+  }
+}
+
 TEST(ErgonomicsDock, ScoresFollowThePosture) {
   ErgonomicsPage page;
   ASSERT_TRUE(page.open());

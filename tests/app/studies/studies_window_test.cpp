@@ -253,6 +253,22 @@ TEST(StudiesDock, TheScriptIsShownBeforeItIsSubmitted) {
   EXPECT_FALSE(page.find<QAbstractButton>("buttonSubmit")->isEnabled()) << "the script is another one now";
 }
 
+TEST(StudiesDock, WhatIsAddedWithoutAStudySaysWhatIsNeeded) {
+  StudiesPage page;
+  ASSERT_TRUE(page.openCell());
+  page.trigger("actionStudy");
+  page.select("door");
+  for (const char* entry : {"add_workplace", "add_vary_position", "add_require"}) {
+    const std::size_t before = page.window().messages().messages().size();
+    page.find<QAction>(entry)->trigger();
+    page.settle();
+    ASSERT_EQ(page.window().messages().messages().size(), before + 1) << entry;
+    EXPECT_EQ(page.window().messages().messages().back().title, "No study is open");
+    EXPECT_EQ(page.lines(0), 0) << entry;
+  }
+  EXPECT_TRUE(page.words("labelStudy").contains("Press New")) << page.words("labelStudy").toStdString();
+}
+
 TEST(StudiesDock, AWorkplaceIsOneStudy) {
   StudiesPage page;
   ASSERT_TRUE(page.openCell());

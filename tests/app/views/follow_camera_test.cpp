@@ -45,6 +45,19 @@ TEST(FollowCamera, GoesWithTheToolUntilItIsTold) {
   EXPECT_EQ(page.camera().target_W, ended.target_W);
 }
 
+TEST(FollowCamera, SaysWhatIsMissingAndKeepsWhatItFollows) {
+  FollowPage page;
+  page.trigger("actionFollowTool");
+  ASSERT_FALSE(page.window().messages().messages().empty());
+  EXPECT_EQ(page.window().messages().messages().back().title, "There is nothing to follow");
+  EXPECT_TRUE(page.find<QAction>("actionFollowNothing")->isChecked());
+  page.addRobot("hc6");
+  page.trigger("actionFollowTool");
+  page.trigger("actionFollowEyes");
+  EXPECT_TRUE(page.window().messages().messages().back().text.contains("mannequin"));
+  EXPECT_TRUE(page.find<QAction>("actionFollowTool")->isChecked()) << "the robot is followed as before";
+}
+
 TEST(FollowCamera, LooksThroughTheEyesAndComesBack) {
   FollowPage page;
   ASSERT_TRUE(page.addMannequin());
