@@ -21,7 +21,7 @@ using workcell::Entity;
 /// m: the solver's 1 mm and 0.5 deg at the wrist (0.9 mm at 0.1 m), seen at the grip. Half: right answers miss the
 /// promise; twice: wrong by 4 mm would keep it.
 constexpr double kGripTolerance = 0.002;
-constexpr workcell::EntityId kCheckedBody = workcell::EntityId{1} << 60;
+constexpr workcell::EntityId kFirstBody = workcell::EntityId{1} << 60;  // Above all of a cell.
 
 const Entity* entityOf(const std::vector<Entity>& entities, workcell::EntityId id) {
   const auto found = std::find_if(entities.begin(), entities.end(), [id](const Entity& e) { return e.id == id; });
@@ -59,35 +59,55 @@ bool mayTouch(const kinematics::RobotModel& model, int link) {
   return segment == mannequin::Segment::kLeftHand || segment == mannequin::Segment::kRightHand;
 }
 
-/// The cell without the one who showed the task, and with the body in its posture: what it enters; empty: nothing.
-std::string enteredBy(const std::vector<Entity>& after, const Entity& shown, const mannequin::Figure& figure,
-                      const mannequin::Posture& posture, manipulation::SceneService& scenes) {
+/// The models of the boundary bodies, made once: a scene that has their meshes prepared hands them to the next.
+const std::vector<std::shared_ptr<const kinematics::RobotModel>>& boundaryModels() {
+  static const auto models = [] {
+    std::vector<std::shared_ptr<const kinematics::RobotModel>> made;
+    for (const auto& body : mannequin::boundaryFigures()) made.push_back(mannequin::figureModel(body.figure));
+    return made;
+  }();
+  return models;
+}
+
+Entity bodyOf(std::size_t index, const mannequin::Figure& figure, const mannequin::Posture& posture) {
+  const auto stands = mannequin::toModel(figure, posture);
+  Entity body;
+  body.id = kFirstBody + index;
+  body.X_WE = stands.X_WE;
+  body.body = workcell::Mannequin{{.model = boundaryModels()[index], .joints = stands.joints},
+                                  std::make_shared<const mannequin::Figure>(figure)};
+  return body;
+}
+
+/// What a body of the scene enters, other bodies aside; empty: nothing.
+std::string enteredBy(workcell::EntityId body, const PreparedScene& scene) {
+  const auto placed = [&](const ScenePart& part) {
+    const Entity& owner = *scene.find(part.entity);
+    return PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link);
+  };
+  for (const ScenePart& part : scene.parts()) {
+    if (part.entity != body || mayTouch(*scene.find(body)->robot(), part.link)) continue;
+    for (const ScenePart& other : scene.parts()) {
+      if (other.entity >= kFirstBody) continue;
+      if (collision::distance(part.mesh.collider, placed(part), other.mesh.collider, placed(other), 1e-3).colliding)
+        return scene.find(other.entity)->name;
+    }
+  }
+  return {};
+}
+
+/// The cell without the one who showed the task, and with the bodies in their postures.
+std::shared_ptr<const PreparedScene> sceneWith(const std::vector<Entity>& after, const Entity& shown,
+                                               const std::vector<mannequin::NamedFigure>& bodies,
+                                               const WorkplaceCell& place, manipulation::SceneService& scenes) {
   std::vector<Entity> entities;
   for (const Entity& entity : after) {
     if (entity.id != shown.id && entity.attachment.to != shown.name && entity.visible && entity.checked)
       entities.push_back(entity);
   }
-  const auto stands = mannequin::toModel(figure, posture);
-  Entity body;
-  body.id = kCheckedBody;
-  body.X_WE = stands.X_WE;
-  body.body = workcell::Mannequin{{.model = mannequin::figureModel(figure), .joints = stands.joints},
-                                  std::make_shared<const mannequin::Figure>(figure)};
-  entities.push_back(std::move(body));
-  const auto scene = scenes.prepare({std::move(entities), {}, {}, 0});
-  const auto placed = [&](const ScenePart& part) {
-    const Entity& owner = *scene->find(part.entity);
-    return PreparedScene::partPose(owner, owner.X_WE, owner.joints(), part.link);
-  };
-  for (const ScenePart& part : scene->parts()) {
-    if (part.entity != kCheckedBody || mayTouch(*scene->find(kCheckedBody)->robot(), part.link)) continue;
-    for (const ScenePart& other : scene->parts()) {
-      if (other.entity == kCheckedBody) continue;
-      if (collision::distance(part.mesh.collider, placed(part), other.mesh.collider, placed(other), 1e-3).colliding)
-        return scene->find(other.entity)->name;
-    }
-  }
-  return {};
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    entities.push_back(bodyOf(i, bodies[i].figure, place.postures[i]));
+  return scenes.prepare({std::move(entities), {}, {}, 0});
 }
 
 }  // namespace
@@ -115,6 +135,7 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
     return promises;
   }
   const dvec3 shift = shiftOf(*shown, place);
+  const auto scene = sceneWith(after, *shown, bodies, place, scenes);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const mannequin::Figure& figure = bodies[i].figure;
     const mannequin::Posture& posture = place.postures[i];
@@ -122,7 +143,7 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
     const auto pose = mannequin::forwardKinematics(figure, posture);
     const int rula = ergonomics::scorePosture(figure, posture, pose, question.task).rula();
     const auto beyond = mannequin::limitViolations(posture);
-    const std::string entered = enteredBy(after, *shown, figure, posture, scenes);
+    const std::string entered = enteredBy(kFirstBody + i, *scene);
     promises.list.push_back(
         {"rula_" + name, static_cast<double>(place.rula[i]), static_cast<double>(rula), "points", name});
     promises.list.push_back({"hands_" + name, kGripTolerance, gripError(*shown, figure, posture, shift), "m", name});
