@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proximity engine against its peer, same process, same poses. Prints the tables of docs/dev/performance.md.
+// Proximity engine against its peers (FCL; PQP where it is installed), same process, same poses. Prints the tables of docs/dev/performance.md.
 //
 // usage: collision_bench [--data FOLDER] [SCENE...]
 // FOLDER: the shared test data; default $HAPTICELL_TEST_DATA, else ../shared/data. SCENE: cad10k, cad100k, real,
@@ -22,6 +22,9 @@
 #include "workcell/meshes/mesh_reader.h"
 #ifdef HAPTICELL_HAS_FCL
 #include "bench/fcl_peer.h"
+#endif
+#ifdef HAPTICELL_HAS_PQP
+#include "bench/pqp_peer.h"
 #endif
 
 namespace hapticell::bench {
@@ -80,12 +83,69 @@ struct Peer {
 };
 #endif
 
-void measureHaptic(const Scene& scene, collision::ProximityQuery& query, const std::function<void()>& fresh,
+#ifdef HAPTICELL_HAS_PQP
+/// The same queries beside PQP, on the same poses; what is asked of a row is of issue 33.
+class PqpRows {
+ public:
+  explicit PqpRows(const Scene& scene)
+      : scene_(scene), pqp_(scene.moved, scene.standing), is_large_(scene.moved.triangles.size() > 500000) {}
+
+  void print(const Times& distance, const Times& cold, const Times& within, const Times& collide) {
+    const std::vector<Pose>& path = scene_.X_WM;
+    add("distance", distance, path, [&](const Pose& X) { pqp_.distance(X); },
+        is_large_ ? Asked{8.0, 8.0, 14.0, 70.0} : Asked{8.0, 8.0, 8.0, 40.0});
+    const auto from_nothing = [&](const Pose& X) {
+      pqp_.forget();
+      pqp_.distance(X);
+    };
+    add("distance, cold", cold, path, from_nothing, {4.0, 0.0, 0.0, 0.0});
+    const auto best_first = [&](const Pose& X) {
+      pqp_.forget();
+      pqp_.distance(X, 1000);
+    };
+    add("distance, cold, PQP best first", cold, path, best_first, {4.0, 0.0, 0.0, 0.0});
+    add("within 5 mm", within, path, [&](const Pose& X) { pqp_.isWithin(X, 0.005); }, {0.0, 0.0, 0.5, 30.0});
+    add("collide", collide, path, [&](const Pose& X) { pqp_.collides(X); }, {0.0, 0.0, 1.5, 10.0});
+  }
+  void printHaptic(const Times& ours, const std::vector<Pose>& path) {
+    add("distance, 0.15 mm steps", ours, path, [&](const Pose& X) { pqp_.distance(X); }, {0.0, 0.0, 1.5, 25.0});
+  }
+
+  /// How far the answers agree.
+  void compare(collision::ProximityQuery& query) {
+    double worst = 0.0;
+    int booleans = 0;
+    for (const Pose& X : scene_.X_WM) {
+      const collision::DistanceResult ours = query.distance(X, {});
+      if (ours.contained) continue;
+      worst = std::max(worst, std::abs(ours.distance - pqp_.distance(X)));
+      booleans += ours.colliding != pqp_.collides(X) ? 1 : 0;
+    }
+    std::printf("%s: PQP's distances differ by %.2g m at most, %d of its booleans\n", scene_.name.c_str(), worst,
+                booleans);
+  }
+
+ private:
+  void add(const char* query, const Times& ours, const std::vector<Pose>& path,
+           const std::function<void(const Pose&)>& ask, const Asked& asked) {
+    const Times theirs = timed(
+        path.size(), [&] { pqp_.forget(); }, [&](std::size_t i) { ask(path[i]); });
+    row(scene_.name + ", beside PQP", query, ours, &theirs, asked);
+  }
+
+  const Scene& scene_;
+  PqpPeer pqp_;
+  bool is_large_;
+};
+#endif
+
+Times measureHaptic(const Scene& scene, collision::ProximityQuery& query, const std::function<void()>& fresh,
                    const Times* peer) {
   const std::vector<Pose> path = hapticSteps(scene.X_WM, kApproach + 100, 150, 20);
   const Times ours = timed(path.size(), fresh, [&](std::size_t i) { query.distance(path[i], {}); });
   const bool large = scene.moved.triangles.size() > 500000;
   row(scene.name, "distance, 0.15 mm steps", ours, peer, {45.0, 0.0, 0.0, large ? 60.0 : 40.0});
+  return ours;
 }
 
 void measure(const Scene& scene) {
@@ -114,9 +174,17 @@ void measure(const Scene& scene) {
 #endif
   row(scene.name, "distance", distance, distance_of_peer, {30.0, 20.0, 0.0, 0.0});
   row(scene.name, "distance, cold", cold, distance_of_peer, {});
-  if (haptic) measureHaptic(scene, query, fresh, haptic_of_peer);
+  const Times steps = haptic ? measureHaptic(scene, query, fresh, haptic_of_peer) : Times{};
   row(scene.name, "within 5 mm", within, nullptr, {0.0, 0.0, 3.0, 60.0});
   row(scene.name, "collide", collide, collide_of_peer, {8.0, 0.0, 0.0, 0.0});
+#ifdef HAPTICELL_HAS_PQP
+  PqpRows pqp(scene);
+  pqp.print(distance, cold, within, collide);
+  if (haptic) pqp.printHaptic(steps, hapticSteps(path, kApproach + 100, 150, 20));
+  pqp.compare(query);
+#else
+  static_cast<void>(steps);
+#endif
   const std::size_t triangles = scene.moved.triangles.size() + scene.standing.triangles.size();
   std::printf("%s: %zu x %zu triangles; build %.0f ms, %.0f bytes a triangle", scene.name.c_str(),
               scene.moved.triangles.size(), scene.standing.triangles.size(), build_ms,
@@ -245,7 +313,7 @@ int main(int argc, char** argv) {
   if (scenes.empty()) {
     scenes = {"cad10k", "cad100k", "real", "pulley", "scan100k", "cad10k-1M", "cad1M", "scan1M", "group", "group30"};
   }
-  std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL, us | x median | x p99 | reached |\n");
+  std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL or PQP, us | x median | x p99 | reached |\n");
   std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& scene : scenes) measureNamed(scene, data);
   return 0;

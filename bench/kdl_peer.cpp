@@ -2,45 +2,20 @@
 #include "bench/kdl_peer.h"
 
 #include <cstdio>
-#include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <kdl/chainiksolverpos_nr_jl.hpp>
 #include <kdl/chainiksolvervel_pinv.hpp>
 #include <string>
 
-#include "kinematics/model/jacobian.h"
+#include "bench/kdl_chain.h"
 
 namespace hapticell::bench {
 
 using namespace kinematics;
 
-namespace {
-
-KDL::Frame frameOf(const Pose& X) {
-  return {KDL::Rotation::Quaternion(X.q.x, X.q.y, X.q.z, X.q.w), KDL::Vector(X.p.x, X.p.y, X.p.z)};
-}
-
-KDL::Chain chainOf(const RobotModel& model) {
-  KDL::Chain chain;
-  for (const int index : chainToTip(model, model.defaultTip())) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(index)];
-    const KDL::Frame X_PJ = frameOf(joint.X_PJ);
-    const KDL::Vector axis(joint.axis_J.x, joint.axis_J.y, joint.axis_J.z);
-    if (joint.type == JointType::kFixed) {
-      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), X_PJ));
-      continue;
-    }
-    const auto type = joint.type == JointType::kPrismatic ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
-    chain.addSegment(KDL::Segment(KDL::Joint(joint.name, X_PJ.p, X_PJ.M * axis, type), X_PJ));
-  }
-  return chain;
-}
-
-}  // namespace
-
 void kdlFromMiddle(const char* robot, const RobotModel& model, int count) {
-  const KDL::Chain chain = chainOf(model);
+  const KDL::Chain chain = chainOf(model, model.defaultTip());
   const unsigned n = chain.getNrOfJoints();
   KDL::JntArray lower(n), upper(n), middle(n), q(n);
   for (unsigned i = 0; i < n; ++i) {

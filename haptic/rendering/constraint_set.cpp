@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace hapticell::haptic {
 
@@ -24,8 +25,8 @@ Vector6 multiply(const SymmetricMatrix6& B, const Vector6& xi) {
 /// None is greater, or no number. All are looked at, so that several are at once.
 template <typename Container>
 bool allWithin(const Container& values, double most) {
-  int outside = 0;
-  for (const double v : values) outside += std::abs(v) <= most ? 0 : 1;
+  std::uint64_t outside = 0;  // As wide as the numbers.
+  for (const double v : values) outside |= std::abs(v) <= most ? 0 : 1;
   return outside == 0;
 }
 

@@ -51,11 +51,22 @@ bool makeReady(const geometry::TriangleMesh& as_read, PreparationProgress& progr
   return !progress.build.cancelled;
 }
 
+geometry::TriangleMesh wholeOf(const kinematics::Link& link) {
+  geometry::TriangleMesh whole;
+  for (const kinematics::LinkShape& shape : link.collisions) {
+    if (shape.mesh) geometry::append(whole, *shape.mesh, shape.X_LS);
+  }
+  return whole;
+}
+
 }  // namespace
 
+/// A link's shapes are put together only where they are not known already: studies prepare a scene for each variant.
 struct PreparedScene::Job {
   MeshKey key;
-  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  std::shared_ptr<const geometry::TriangleMesh> mesh;  ///< Null: the link's, which belongs to the scene's entities.
+  const kinematics::Link* link = nullptr;
+  std::size_t triangles = 0;
 };
 
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
@@ -118,7 +129,10 @@ void PreparedScene::dropUnfinished() {
 void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                             std::vector<Job>& jobs) {
   part.body = workcell::rigidBodyOf(entities_, *find(part.entity), part.link);
-  if (meshes_.emplace(key, PreparedMesh{}).second) jobs.push_back({key, std::move(mesh)});
+  if (meshes_.emplace(key, PreparedMesh{}).second) {
+    const std::size_t triangles = mesh ? mesh->triangles.size() : 0;
+    jobs.push_back({key, std::move(mesh), nullptr, triangles});
+  }
   parts_.push_back(std::move(part));
   keys_.push_back(key);
 }
@@ -135,16 +149,19 @@ void PreparedScene::run(const std::vector<Job>& jobs, std::span<const std::share
       meshes_[job.key] = (*known)->meshes_.at(job.key);
     } else {
       order.push_back(&job);
-      steps += kStages * job.mesh->triangles.size();
+      steps += kStages * job.triangles;
     }
   }
   progress.steps = steps;
   std::stable_sort(order.begin(), order.end(),
-                   [](const Job* a, const Job* b) { return a->mesh->triangles.size() > b->mesh->triangles.size(); });
+                   [](const Job* a, const Job* b) { return a->triangles > b->triangles; });
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < order.size(); i = next++) {
-      if (!makeReady(*order[i]->mesh, progress, meshes_.find(order[i]->key)->second)) return;
+      const Job& job = *order[i];
+      PreparedMesh& prepared = meshes_.find(job.key)->second;
+      const geometry::TriangleMesh whole = job.mesh ? geometry::TriangleMesh() : wholeOf(*job.link);
+      if (!makeReady(job.mesh ? *job.mesh : whole, progress, prepared)) return;
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
@@ -175,14 +192,17 @@ void PreparedScene::addLinks(const workcell::Entity& entity, std::vector<Job>& j
   if (!entity.robot()) return;
   for (std::size_t i = 0; i < entity.robot()->links.size(); ++i) {
     const kinematics::Link& link = entity.robot()->links[i];
-    geometry::TriangleMesh whole;
+    std::size_t triangles = 0;
     for (const kinematics::LinkShape& shape : link.collisions) {
-      if (shape.mesh) geometry::append(whole, *shape.mesh, shape.X_LS);
+      if (shape.mesh) triangles += shape.mesh->triangles.size();
     }
-    if (whole.triangles.empty()) continue;
+    if (triangles == 0) continue;
     const MeshKey key{entity.robot().get(), static_cast<int>(i)};
-    addPart({.entity = entity.id, .link = static_cast<int>(i), .name = link.name}, key,
-            std::make_shared<const geometry::TriangleMesh>(std::move(whole)), jobs);
+    const std::size_t known = jobs.size();
+    addPart({.entity = entity.id, .link = static_cast<int>(i), .name = link.name}, key, nullptr, jobs);
+    if (jobs.size() == known) continue;
+    jobs.back().link = &link;
+    jobs.back().triangles = triangles;
   }
 }
 

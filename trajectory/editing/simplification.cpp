@@ -31,7 +31,7 @@ std::vector<std::size_t> framesToKeep(const Trajectory& trajectory, const PathTo
   }
   const SegmentDistance distance(trajectory, trajectory, tolerance);
   const auto off = [&](std::size_t i, const FrameSpan& span) { return distance.of(i, span).shareOf(tolerance); };
-  splitAtFarthest(std::move(open), off, kept);
+  splitAtFarthestTogether(std::move(open), off, kept);
   return kept;
 }
 

@@ -2,11 +2,14 @@
 #include "trajectory/timing/retiming.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "geometry/system/in_parallel.h"
 #include "trajectory/editing/simplification.h"
 #include "trajectory/motion/number_text.h"
 #include "trajectory/timing/frame_use.h"
@@ -45,6 +48,17 @@ std::vector<MotionPiece> piecesOf(const Trajectory& trajectory, const std::set<s
   return pieces;
 }
 
+/// Calls work(i) for each part of a motion by whoever is free, as some take a thousand times as long as others. One part
+/// is worth a thread: of a few frames it takes 50 us, of many a second.
+template <typename Work>
+void forEachTogether(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const std::size_t threads = geometry::rangesOf(count, 1);
+  geometry::inRanges(threads, threads, [&](std::size_t, std::size_t, std::size_t) {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  });
+}
+
 class Retimer {
  public:
   Retimer(const Trajectory& original, const RetimingOptions& options)
@@ -58,9 +72,7 @@ class Retimer {
     std::set<std::size_t> rests = restsOf();
     for (int round = 0;; ++round) {
       keepKnown();
-      for (const MotionPiece& piece : piecesOf(moving_, rests)) {
-        HAPTICELL_TRY(addPiece(piece, rests));
-      }
+      HAPTICELL_TRY(addPieces(rests));
       std::vector<std::size_t> missed;
       double step = options_.sample_s;
       for (int halving = 0; halving <= kMostHalvings; ++halving, step *= 0.5) {
@@ -155,27 +167,41 @@ class Retimer {
     pieces_.clear();
   }
 
-  Expected<void> addPiece(const MotionPiece& piece, std::set<std::size_t>& rests) {
-    if (const auto known = known_.find({piece.first, piece.last}); known != known_.end()) {
-      pieces_.push_back(std::move(known->second));
-      return {};
-    }
-    auto part = RetimedPart::of(moving_, piece, options_, by_);
-    HAPTICELL_TRY(part);
-    if (part->path->isRounded() && !options_.limits.jerk.empty()) {
-      auto parts = restingEverywhere(piece);
-      double sum = 0.0;
-      for (const RetimedPart& one : parts) sum += one.timing.duration;
-      if (!parts.empty() && sum < part->timing.duration) {
-        for (RetimedPart& one : parts) {
-          if (one.first != piece.first) rests.insert(one.first);
-          pieces_.push_back(std::move(one));
-        }
-        return {};
+  /// Those that are not known are laid and timed on all cores. The first error counts.
+  Expected<void> addPieces(std::set<std::size_t>& rests) {
+    const std::vector<MotionPiece> pieces = piecesOf(moving_, rests);
+    std::vector<std::optional<Expected<std::vector<RetimedPart>>>> parts(pieces.size());
+    forEachTogether(pieces.size(), [&](std::size_t i) {
+      if (known_.count({pieces[i].first, pieces[i].last}) == 0) parts[i] = partsOf(pieces[i]);
+    });
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (!parts[i]) {
+        pieces_.push_back(std::move(known_.find({pieces[i].first, pieces[i].last})->second));
+        continue;
+      }
+      HAPTICELL_TRY(*parts[i]);
+      for (RetimedPart& one : **parts[i]) {
+        if (one.first != pieces[i].first) rests.insert(one.first);
+        pieces_.push_back(std::move(one));
       }
     }
-    pieces_.push_back(std::move(*part));
     return {};
+  }
+
+  /// One, or with rests between where that is faster.
+  Expected<std::vector<RetimedPart>> partsOf(const MotionPiece& piece) const {
+    auto part = RetimedPart::of(moving_, piece, options_, by_);
+    HAPTICELL_TRY(part);
+    std::vector<RetimedPart> parts;
+    if (part->path->isRounded() && !options_.limits.jerk.empty()) {
+      parts = restingEverywhere(piece);
+      double sum = 0.0;
+      for (const RetimedPart& one : parts) sum += one.timing.duration;
+      if (!parts.empty() && sum < part->timing.duration) return Expected<std::vector<RetimedPart>>(std::move(parts));
+      parts.clear();
+    }
+    parts.push_back(std::move(*part));
+    return Expected<std::vector<RetimedPart>>(std::move(parts));
   }
 
   /// The same piece with a rest at every bend that is one at the scale of the tolerance: where the jerk is limited
@@ -209,24 +235,12 @@ class Retimer {
                         .fix = "Use a longer step or a higher speed."});
     }
     step_ = step;
-    result_.report.use = {};
-    for (RetimedPart& part : pieces_) {
-      double stretch = 1.0;
-      LimitUse use;
-      for (int round = 0; round < 20; ++round) {
-        const double duration = stretch * part.timing.duration;
-        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / step - 1e-6)));
-        // One part alone is given its own step, so that nothing is slowed; several share it.
-        const double dt = pieces_.size() == 1 ? duration / static_cast<double>(count) : step;
-        part.sample(count, dt, options_);
-        if (isStopped()) return makeError(retimingStopped());
-        if (options_.mode != TimingMode::kTimeOptimal) break;
-        use = useOfFrames(part.samples, dt, options_.limits, by_);
-        const double factor = stretchFor({use.velocity / kFullUse, use.acceleration / kFullUse, use.jerk / kFullUse});
-        if (factor <= 1.0 + 1e-6) break;
-        stretch = std::max(stretch, static_cast<double>(count) * dt / part.timing.duration) * factor * (1.0 + 1e-7);
-      }
-      auto& worst = result_.report.use;
+    std::vector<LimitUse> uses(pieces_.size());
+    forEachTogether(pieces_.size(), [&](std::size_t i) { uses[i] = samplePart(pieces_[i], step); });
+    if (isStopped()) return makeError(retimingStopped());
+    auto& worst = result_.report.use;
+    worst = {};
+    for (const LimitUse& use : uses) {
       worst.velocity = std::max(worst.velocity, use.velocity);
       worst.acceleration = std::max(worst.acceleration, use.acceleration);
       worst.jerk = std::max(worst.jerk, use.jerk);
@@ -234,13 +248,35 @@ class Retimer {
     return {};
   }
 
+  LimitUse samplePart(RetimedPart& part, double step) const {
+    double stretch = 1.0;
+    LimitUse use;
+    for (int round = 0; round < 20 && !isStopped(); ++round) {
+      const double duration = stretch * part.timing.duration;
+      const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / step - 1e-6)));
+      // One part alone is given its own step, so that nothing is slowed; several share it.
+      const double dt = pieces_.size() == 1 ? duration / static_cast<double>(count) : step;
+      part.sample(count, dt, options_);
+      if (options_.mode != TimingMode::kTimeOptimal) break;
+      use = useOfFrames(part.samples, dt, options_.limits, by_);
+      const double factor = stretchFor({use.velocity / kFullUse, use.acceleration / kFullUse, use.jerk / kFullUse});
+      if (factor <= 1.0 + 1e-6) break;
+      stretch = std::max(stretch, static_cast<double>(count) * dt / part.timing.duration) * factor * (1.0 + 1e-7);
+    }
+    return use;
+  }
+
   /// Given frames that the samples miss; keeps the largest deviations.
   std::vector<std::size_t> missedFrames() {
     worst_ = {};
+    std::vector<std::vector<std::size_t>> of_parts(pieces_.size());
+    std::vector<Deviation> worst(pieces_.size());
+    forEachTogether(pieces_.size(),
+                    [&](std::size_t i) { of_parts[i] = pieces_[i].missedFrames(options_, worst[i]); });
     std::vector<std::size_t> missed;
-    for (const RetimedPart& part : pieces_) {
-      const std::vector<std::size_t> more = part.missedFrames(options_, worst_);
-      missed.insert(missed.end(), more.begin(), more.end());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      missed.insert(missed.end(), of_parts[i].begin(), of_parts[i].end());
+      worst_.grow(worst[i]);
     }
     return missed;
   }

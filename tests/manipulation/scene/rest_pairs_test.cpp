@@ -45,6 +45,20 @@ TEST(RestPairs, WhatTouchesIsTheStandingBoxAndNothingElse) {
       << "asked once";
 }
 
+TEST(RestPairs, OfARowEachTouchesItsNeighboursInTheOrderOfTheDocument) {
+  std::vector<Entity> row;
+  for (int i = 0; i < 200; ++i)
+    row.push_back(solid(static_cast<workcell::EntityId>(i + 1), "box " + std::to_string(i), geometry::makeBox(dvec3(0.1)),
+                        Pose::translation({0.1 * i + (i >= 100 ? 0.05 : 0.0), 0, 0})));
+  const auto rules = touchingAtRest(*PreparedScene::prepare(row, {}, {}));
+  ASSERT_EQ(rules.size(), 198u) << "one gap";
+  for (std::size_t k = 0; k < rules.size(); ++k) {
+    const std::size_t i = k < 99 ? k : k + 1;
+    EXPECT_EQ(rules[k].first, row[i].name);
+    EXPECT_EQ(rules[k].second, row[i + 1].name);
+  }
+}
+
 TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
   auto locked = cell();
   locked[0].locked = locked[1].locked = true;

@@ -65,6 +65,24 @@ TEST(FarthestSplit, IsThePublishedMethodAndLeavesNoFrameFarther) {
   }
 }
 
+TEST(FarthestSplit, KeepsTheSameFramesOnAllCores) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> step(0.0, 0.3);
+  Heights heights;
+  heights.y = {0.0};
+  while (heights.y.size() < 60000) heights.y.push_back(heights.y.back() + step(random));
+  for (std::size_t i = 20000; i < 30000; ++i) heights.y[i] = 40.0;  // Of equal ones the first.
+  for (const double tolerance : {0.5, 5.0, 1e6}) {
+    heights.tolerance = tolerance;
+    const std::vector<FrameSpan> spans = {{0, 100}, {100, 45000}, {45000, 59999}};
+    std::vector<std::size_t> alone = {0, 100, 45000, 59999}, together = alone;
+    splitAtFarthest(spans, heights, alone);
+    splitAtFarthestTogether(spans, heights, together);
+    EXPECT_EQ(together, alone) << tolerance;
+    EXPECT_EQ(alone.size() > 1000, tolerance < 1.0);
+  }
+}
+
 TEST(FarthestSplit, KeepsSpansApart) {
   const Heights heights{{0, 9, 0, 0, 9, 0}};
   std::vector<std::size_t> frames = {0, 2, 3, 5};
