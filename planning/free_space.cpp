@@ -36,8 +36,9 @@ constexpr int kLastingSamples = 32;
 /// m of path between the places of a motion that are looked at before it is proven, which take a few us each. Half:
 /// free motions take longer; twice: more motions that end in something are found by their proof only, which takes ms.
 constexpr double kLooksApart = 0.1;
-/// Pieces between such places at most. Half, twice: as above, for motions of more than 3.2 m.
-constexpr int kMostLooks = 32;
+/// Pieces between such places at most; the proof looks at the places between them. By `planning_bench`; half: motions
+/// that end in something take longer; twice: free ones do.
+constexpr int kMostLooks = 4;
 
 /// Share of the proven way of a joint that counts: rounding. Half, twice: far from rounding and from what matters.
 constexpr double kProvenShare = 1.0 - 1e-6;
@@ -104,6 +105,9 @@ struct PlannedMotion {
 /// m of motion: shorter pieces are not halved but followed by their distance. Half: one halving more near contact;
 /// twice: longer pieces to follow there, at 10 to 20 us a distance.
 constexpr double kShortPiece = 2e-3;
+/// Of a piece of an own pair's motion, against the radius of the smaller part: longer ones are halved without a search,
+/// which mostly tells nothing. Half, twice: some more halvings or searches.
+constexpr double kSearchedSize = 1.0;
 /// Pieces of a motion that wait: halvings from 2^60 m down to the above.
 constexpr int kMostOpen = 64;
 
@@ -127,16 +131,29 @@ collision::MotionStop leadOwnPair(collision::ProximityQuery& query, const Checke
   return collision::advance(query, collision::standingStill(X_WA0), met, {0.0, 1.0});
 }
 
+/// Lower bound (m) of the distance of the two by the spheres around them.
+double spheresApart(const collision::ProximityQuery& query, const Pose& X_WA, const Pose& X_WB) {
+  const collision::MeshCollider &a = query.a(), &b = query.b();
+  return glm::distance(X_WA * a.center(), X_WB * b.center()) - a.radius() - b.radius();
+}
+
 /// Whether an own pair touches on a motion. What is apart by more than half a piece's way in its middle is so on the
 /// whole piece, which takes a tenth of a distance to tell.
 bool ownPairTouches(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion, double way) {
+  const double longest = std::max(kShortPiece, kSearchedSize * std::min(query.a().radius(), query.b().radius()));
   Piece open[kMostOpen];
   int count = 1;
   while (count > 0) {
     const Piece piece = open[--count];
     const double middle = 0.5 * (piece.from + piece.to), length = way * (piece.to - piece.from);
+    if (length > longest && count + 2 <= kMostOpen) {
+      open[count++] = {middle, piece.to};
+      open[count++] = {piece.from, middle};
+      continue;
+    }
     const Pose X_WA = motion.poseOf(pair.part, middle), X_WB = motion.poseOf(pair.other, middle);
-    if (!query.within(X_WA, X_WB, collision::kLeastClearance + 0.5 * length + collision::kRounding)) continue;
+    const double margin = collision::kLeastClearance + 0.5 * length + collision::kRounding;
+    if (spheresApart(query, X_WA, X_WB) > margin || !query.within(X_WA, X_WB, margin)) continue;
     if (length <= kShortPiece || count + 2 > kMostOpen) {
       const auto stop = leadOwnPair(query, pair, motion, way, piece);
       if (stop.stopped || stop.began_colliding) return true;
@@ -417,7 +434,7 @@ bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfi
     if (keptApart(i, from) && keptApart(i, to)) continue;
     const Pose &X_WA = X_WP_[pair.part], &X_WB = X_WP_[pair.other];
     const auto comesNear = [&](double way) {
-      return own_[i].within(X_WA, X_WB, collision::kLeastClearance + 0.5 * way + collision::kRounding);
+      return spheresApart(own_[i], X_WA, X_WB) <= collision::kLeastClearance + 0.5 * way + collision::kRounding;
     };
     if (!comesNear(bounds_[pair.part] + bounds_[pair.other])) continue;
     EntityConfiguration apart = from;
