@@ -2,11 +2,13 @@
 #include "planning/free_space.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <numbers>
 #include <random>
+#include <span>
 
 #include "collision/queries/freeing_shift.h"
 #include "collision/queries/proximity_query.h"
@@ -29,15 +31,16 @@ using manipulation::MovedPart;
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
 
-/// Joint positions at which a pair that touches at rest has to touch too to be left out. Half: a link that is in contact
-/// by chance may pass through what it touches; twice: twice the time, which is small.
+/// Joint positions at which a pair that touches at rest has to touch too to be left out. Half: a link that is in
+/// contact by chance may pass through what it touches; twice: twice the time, which is small.
 constexpr int kLastingSamples = 32;
 
 /// m of path between the places of a motion that are looked at before it is proven, which take a few us each. Half:
 /// free motions take longer; twice: more motions that end in something are found by their proof only, which takes ms.
 constexpr double kLooksApart = 0.1;
-/// Pieces between such places at most. Half, twice: as above, for motions of more than 3.2 m.
-constexpr int kMostLooks = 32;
+/// Pieces between such places at most; the proof looks at the places between them. By `planning_bench`; half: motions
+/// that end in something take longer; twice: free ones do.
+constexpr int kMostLooks = 4;
 
 /// Share of the proven way of a joint that counts: rounding. Half, twice: far from rounding and from what matters.
 constexpr double kProvenShare = 1.0 - 1e-6;
@@ -54,7 +57,7 @@ struct FreeRange {
 struct CheckedPair {
   std::uint32_t part = 0, other = 0;
   bool own = false;
-  bool is_lasting = false;  ///< They touch whatever the joints are.
+  bool is_lasting = false;               ///< They touch whatever the joints are.
   std::vector<std::size_t> joints = {};  ///< Of an own pair: those that move the two against each other.
   Blocker words = {};
 };
@@ -86,24 +89,50 @@ Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model,
   return makeManipulator(taking, manipulation::manipulatorKinds());
 }
 
-/// A motion whose parts' poses are asked for at one s after the other.
-struct PlannedMotion {
-  const Manipulator& manipulator;
-  const EntityConfiguration& from;
-  const EntityConfiguration& to;
-  double s = -1.0;
-  EntityConfiguration at{};
+/// A motion whose parts' poses are asked for, mostly where it is halved again and again: those are found once for all
+/// parts.
+class PlannedMotion {
+ public:
+  PlannedMotion(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to,
+                std::size_t parts)
+      : manipulator_(manipulator), from_(from), to_(to), parts_(parts), X_WP_((kKept + 1) * parts) {}
 
-  Pose poseOf(std::size_t part, double now) {
-    if (now != s) at = manipulator.between(from, to, now);
-    s = now;
-    return manipulator.partPose(at, part);
+  Pose poseOf(std::size_t part, double s) {
+    const double place = s * static_cast<double>(kKept);
+    const auto index = static_cast<std::size_t>(place);
+    if (static_cast<double>(index) != place) return manipulator_.partPose(placed(s), part);
+    const std::span<Pose> all(X_WP_.data() + index * parts_, parts_);
+    if (!is_known_[index]) manipulator_.partPoses(manipulator_.between(from_, to_, s), all);
+    is_known_[index] = true;
+    return all[part];
   }
+
+ private:
+  /// Half: poses are found anew for each part in pieces of a 32nd; twice: more memory is filled a motion.
+  static constexpr std::size_t kKept = 64;
+
+  const EntityConfiguration& placed(double s) {
+    if (s != s_) at_ = manipulator_.between(from_, to_, s);
+    s_ = s;
+    return at_;
+  }
+
+  const Manipulator& manipulator_;
+  const EntityConfiguration& from_;
+  const EntityConfiguration& to_;
+  std::size_t parts_;
+  std::vector<Pose> X_WP_;  ///< At s of i / kKept, one part after the other.
+  std::bitset<kKept + 1> is_known_;
+  double s_ = -1.0;
+  EntityConfiguration at_;
 };
 
 /// m of motion: shorter pieces are not halved but followed by their distance. Half: one halving more near contact;
 /// twice: longer pieces to follow there, at 10 to 20 us a distance.
 constexpr double kShortPiece = 2e-3;
+/// Of a piece of an own pair's motion, against the radius of the smaller part: longer ones are halved without a search,
+/// which mostly tells nothing. Half, twice: some more halvings or searches.
+constexpr double kSearchedSize = 1.0;
 /// Pieces of a motion that wait: halvings from 2^60 m down to the above.
 constexpr int kMostOpen = 64;
 
@@ -127,16 +156,29 @@ collision::MotionStop leadOwnPair(collision::ProximityQuery& query, const Checke
   return collision::advance(query, collision::standingStill(X_WA0), met, {0.0, 1.0});
 }
 
+/// Lower bound (m) of the distance of the two by the spheres around them.
+double spheresApart(const collision::ProximityQuery& query, const Pose& X_WA, const Pose& X_WB) {
+  const collision::MeshCollider &a = query.a(), &b = query.b();
+  return glm::distance(X_WA * a.center(), X_WB * b.center()) - a.radius() - b.radius();
+}
+
 /// Whether an own pair touches on a motion. What is apart by more than half a piece's way in its middle is so on the
 /// whole piece, which takes a tenth of a distance to tell.
 bool ownPairTouches(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion, double way) {
+  const double longest = std::max(kShortPiece, kSearchedSize * std::min(query.a().radius(), query.b().radius()));
   Piece open[kMostOpen];
   int count = 1;
   while (count > 0) {
     const Piece piece = open[--count];
     const double middle = 0.5 * (piece.from + piece.to), length = way * (piece.to - piece.from);
+    if (length > longest && count + 2 <= kMostOpen) {
+      open[count++] = {middle, piece.to};
+      open[count++] = {piece.from, middle};
+      continue;
+    }
     const Pose X_WA = motion.poseOf(pair.part, middle), X_WB = motion.poseOf(pair.other, middle);
-    if (!query.within(X_WA, X_WB, collision::kLeastClearance + 0.5 * length + collision::kRounding)) continue;
+    const double margin = collision::kLeastClearance + 0.5 * length + collision::kRounding;
+    if (spheresApart(query, X_WA, X_WB) > margin || !query.within(X_WA, X_WB, margin)) continue;
     if (length <= kShortPiece || count + 2 > kMostOpen) {
       const auto stop = leadOwnPair(query, pair, motion, way, piece);
       if (stop.stopped || stop.began_colliding) return true;
@@ -234,7 +276,7 @@ FreeRange FreeSpace::Plan::freeRangeOf(const CheckedPair& pair) const {
     to.joints[variable] = end;
     std::vector<double> bounds(spheres.size());
     manipulator->pathBounds(present, to, spheres, bounds);
-    PlannedMotion motion{*manipulator, present, to};
+    PlannedMotion motion(*manipulator, present, to, model.parts().size());
     const auto stop = leadOwnPair(query, pair, motion, bounds[pair.part] + bounds[pair.other]);
     if (stop.began_colliding) return std::numeric_limits<double>::quiet_NaN();
     return begin + (stop.stopped ? kProvenShare * stop.s : 1.0) * (end - begin);
@@ -411,13 +453,13 @@ bool FreeSpace::ownPartsTouch(const EntityConfiguration& from, const EntityConfi
   const Manipulator& manipulator = *plan_->manipulator;
   manipulator.partPoses(manipulator.between(from, to, 0.5), X_WP_);
   own_bounds_.resize(bounds_.size());
-  PlannedMotion motion{manipulator, from, to};
+  PlannedMotion motion(manipulator, from, to, moved_.size());
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const CheckedPair& pair = plan_->own_pairs[i];
     if (keptApart(i, from) && keptApart(i, to)) continue;
     const Pose &X_WA = X_WP_[pair.part], &X_WB = X_WP_[pair.other];
     const auto comesNear = [&](double way) {
-      return own_[i].within(X_WA, X_WB, collision::kLeastClearance + 0.5 * way + collision::kRounding);
+      return spheresApart(own_[i], X_WA, X_WB) <= collision::kLeastClearance + 0.5 * way + collision::kRounding;
     };
     if (!comesNear(bounds_[pair.part] + bounds_[pair.other])) continue;
     EntityConfiguration apart = from;
@@ -440,7 +482,7 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
   manipulator.pathBounds(from, to, plan_->spheres, bounds_);
   if (isMetOnTheWay(from, to)) return false;
   const double turned = manipulator.turnBound(from, to);
-  PlannedMotion motion{manipulator, from, to};
+  PlannedMotion motion(manipulator, from, to, moved_.size());
   for (std::size_t i = 0; i < moved_.size(); ++i) {
     collision::PartMotion& part = moved_[i].motion;
     part.path_bound = bounds_[i];

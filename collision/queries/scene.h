@@ -175,6 +175,16 @@ class Scene {
     const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
   };
 
+  /// A pair on a stretch of a motion on which it is not yet known to keep its clearance.
+  struct Unproven {
+    Stretch stretch;
+    PairIndex pair;
+    double way;           ///< m: bound of both paths on the whole motion.
+    dvec3 sweep_W{0.0};   ///< From the stretch's middle the two move against each other by a share from -1 to 1 of it
+    double margin = 0.0;  ///< and are too near within this (m).
+    double length() const { return way * (stretch.to - stretch.from); }
+  };
+
   static geometry::Bounds sweptBox(const Swept& swept);
 
   /// Where the part is now. It is placed only when asked for, because most moving parts are never needed.
@@ -210,7 +220,12 @@ class Scene {
 
   void prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing = false);
   void addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing);
-  bool keepsApart(ProximityQuery& query, Mover& a, Mover& b, double clearance);
+  static double leastOf(const ScenePairs::Pair& pair, std::span<const double> clearance);
+  static bool isLong(const Unproven& one, double least);
+  std::optional<PairIndex> nearerAtEnd(std::span<const double> clearance);
+  std::optional<PairIndex> listUnproven(std::span<const double> clearance);
+  std::optional<PairIndex> lookAtMiddles(std::span<const double> clearance);
+  std::optional<PairIndex> proveOrHalve(std::span<const double> clearance);
   Mover moverOf(PartIndex part);
   const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
   Spread spreadOf(Mover& mover, const Stretch& stretch, const Pose& X_WMiddle) const;
@@ -231,6 +246,7 @@ class Scene {
   PartIndex nearest_of_[2] = {0, 0}, met_[2] = {0, 0};    ///< The pairs of the last answers, by their parts.
 
   std::vector<Candidate> candidates_;
+  std::vector<Unproven> unproven_, halves_;  ///< Of findNearer().
   struct Suspect {
     double gap;
     PairIndex pair;

@@ -21,6 +21,9 @@ constexpr int kMostHalvings = 14;
 constexpr double kProofShare = 0.2;
 /// m: the shortest stretch of findNearer(). Half: one halving more with small clearances; twice: 0.2 mm more are kept.
 constexpr double kShortestProof = 2e-4;
+/// Of a stretch that findNearer() searches, against the radius of the smaller part: longer ones are halved at once, as
+/// nearly all of those searches prove nothing. By `planning_bench`: half: as fast; twice: a tenth slower.
+constexpr double kProvenSize = 1.0;
 
 /// The numbers of the whole motion and of the last stretch that is searched with little effort before it is halved (the
 /// halves). Half: wholes are searched long; twice: quarters are searched again in their halves.
@@ -273,43 +276,103 @@ SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
   return stop;
 }
 
-/// Halves the motion until each stretch keeps the clearance wherever its spread lets the parts be; the shortest ones by
-/// the distance in their middle alone.
-bool Scene::keepsApart(ProximityQuery& query, Mover& moved, Mover& met, double clearance) {
-  const PartMotion &a = moved.motion(), &b = met.motion();
-  const double rate = a.path_bound + b.path_bound, least = std::max(clearance, kLeastClearance);
-  const bool is_contact = clearance <= kLeastClearance;
-  const double shortest = is_contact ? kShortStretch : std::max(kShortestProof, kProofShare * clearance);
-  constexpr std::size_t kLastNode = std::size_t{1} << (kMostHalvings + 4);
-  Stretch open[kMostHalvings + 8];
-  int count = 0;
-  open[count++] = {0.0, 1.0, kWhole};
+/// Whether a pair is nearer at the end of the motion; those that do not move are only looked at here.
+std::optional<PairIndex> Scene::nearerAtEnd(std::span<const double> clearance) {
+  for (const Candidate& candidate : candidates_) {
+    ScenePairs::Pair& pair = pairs_[candidate.pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = leastOf(pair, clearance), way = a.motion().path_bound + b.motion().path_bound;
+    if (candidate.lower_bound > way + least) continue;
+    Station scratch_a, scratch_b;
+    const Station &end_a = stationOf(a, kEndNode, 1.0, scratch_a), &end_b = stationOf(b, kEndNode, 1.0, scratch_b);
+    if (sphereGap(end_a.at, end_b.at) > least || boxGap(end_a.at, end_b.at) > least) continue;
+    if (queryOf(pair).within(end_a.X_WP, end_b.X_WP, least)) return candidate.pair;
+  }
+  return std::nullopt;
+}
+
+/// Lists the candidates that move, each for the whole motion; those that begin too near are found.
+std::optional<PairIndex> Scene::listUnproven(std::span<const double> clearance) {
+  unproven_.clear();
+  for (const Candidate& candidate : candidates_) {
+    ScenePairs::Pair& pair = pairs_[candidate.pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = leastOf(pair, clearance), way = a.motion().path_bound + b.motion().path_bound;
+    if (way == 0.0 || candidate.lower_bound > way + least) continue;
+    // One inside the other is seen here only: on its way out its surface would come near.
+    if (candidate.lower_bound <= least && queryOf(pair).within(a.motion().at(0.0), b.motion().at(0.0), least))
+      return candidate.pair;
+    unproven_.push_back({{0.0, 1.0, kWhole}, candidate.pair, way, {}, 0.0});
+  }
+  return std::nullopt;
+}
+
+/// Drops what its spread keeps apart, and looks at the middles of what is left: what is not free mostly ends here.
+std::optional<PairIndex> Scene::lookAtMiddles(std::span<const double> clearance) {
+  std::size_t kept = 0;
   Station scratch_a, scratch_b;
-  while (count > 0) {
-    const Stretch piece = open[--count];
-    const double middle = piece.middle(), length = rate * (piece.to - piece.from);
-    const Station& at_a = stationOf(moved, piece.node, middle, scratch_a);
-    const Station& at_b = stationOf(met, piece.node, middle, scratch_b);
-    const Spread of_a = spreadOf(moved, piece, at_a.X_WP), of_b = spreadOf(met, piece, at_b.X_WP);
-    const dvec3 sweep_W = of_a.d_W - of_b.d_W;
-    const double margin = least + of_a.rest + of_b.rest + kRounding;
-    if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin || sweptBoxGap(at_a.at, at_b.at, sweep_W) > margin) continue;
-    const bool is_long = length > shortest && piece.node < kLastNode;
-    const int effort = !is_long || piece.node > kSoonHalved ? kAnyEffort : kEffortBeforeHalving;
-    if (!query.mayMeet(at_a.X_WP, at_b.X_WP, sweep_W, margin, effort)) continue;
+  for (Unproven& one : unproven_) {
+    ScenePairs::Pair& pair = pairs_[one.pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
+    const Station& at_a = stationOf(a, one.stretch.node, middle, scratch_a);
+    const Station& at_b = stationOf(b, one.stretch.node, middle, scratch_b);
+    const Spread of_a = spreadOf(a, one.stretch, at_a.X_WP), of_b = spreadOf(b, one.stretch, at_b.X_WP);
+    one.sweep_W = of_a.d_W - of_b.d_W;
+    one.margin = least + of_a.rest + of_b.rest + kRounding;
+    if (sweptSphereGap(at_a.at, at_b.at, one.sweep_W) > one.margin) continue;
+    if (sweptBoxGap(at_a.at, at_b.at, one.sweep_W) > one.margin) continue;
+    if (isLong(one, least) && sphereGap(at_a.at, at_b.at) <= least && boxGap(at_a.at, at_b.at) <= least &&
+        queryOf(pair).within(at_a.X_WP, at_b.X_WP, least))
+      return one.pair;
+    unproven_[kept++] = one;
+  }
+  unproven_.resize(kept);
+  return std::nullopt;
+}
+
+bool Scene::isLong(const Unproven& one, double least) {
+  const double shortest = least <= kLeastClearance ? kShortStretch : std::max(kShortestProof, kProofShare * least);
+  constexpr std::size_t kLastNode = std::size_t{1} << (kMostHalvings + 4);
+  return one.length() > shortest && one.stretch.node < kLastNode;
+}
+
+/// Proves what can be proven and halves the rest; of the shortest stretches the distance in the middle decides.
+std::optional<PairIndex> Scene::proveOrHalve(std::span<const double> clearance) {
+  halves_.clear();
+  Station scratch_a, scratch_b;
+  for (const Unproven& one : unproven_) {
+    ScenePairs::Pair& pair = pairs_[one.pair];
+    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const auto [from, to, node] = one.stretch;
+    const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
+    const bool is_long = isLong(one, least);
+    const double size = std::min(parts_[pair.moved].collider->radius(), parts_[pair.environment].collider->radius());
+    const double extent = 2.0 * (one.margin + glm::length(one.sweep_W));
+    if (!is_long || extent < kProvenSize * size) {
+      const Station& at_a = stationOf(a, node, middle, scratch_a);
+      const Station& at_b = stationOf(b, node, middle, scratch_b);
+      if (!queryOf(pair).mayMeet(at_a.X_WP, at_b.X_WP, one.sweep_W, one.margin)) continue;
+    }
     if (is_long) {
-      if (query.within(at_a.X_WP, at_b.X_WP, least)) return false;
-      open[count++] = {middle, piece.to, 2 * piece.node + 1};
-      open[count++] = {piece.from, middle, 2 * piece.node};
+      halves_.push_back({{from, middle, 2 * node}, one.pair, one.way, {}, 0.0});
+      halves_.push_back({{middle, to, 2 * node + 1}, one.pair, one.way, {}, 0.0});
       continue;
     }
-    if (!query.within(at_a.X_WP, at_b.X_WP, least + 0.5 * length + kRounding)) continue;
-    if (!is_contact || length == 0.0) return false;
-    const Cut cut_a(a, piece.from, piece.to), cut_b(b, piece.from, piece.to);
-    const MotionStop stop = collision::advance(query, cut_a.motion, cut_b.motion, {0.0, 1.0});
-    if (stop.stopped || stop.began_colliding) return false;
+    const Station& at_a = stationOf(a, node, middle, scratch_a);
+    const Station& at_b = stationOf(b, node, middle, scratch_b);
+    if (!queryOf(pair).within(at_a.X_WP, at_b.X_WP, least + 0.5 * one.length() + kRounding)) continue;
+    if (least > kLeastClearance) return one.pair;
+    const Cut cut_a(a.motion(), from, to), cut_b(b.motion(), from, to);
+    const MotionStop stop = collision::advance(queryOf(pair), cut_a.motion, cut_b.motion, {0.0, 1.0});
+    if (stop.stopped || stop.began_colliding) return one.pair;
   }
-  return true;
+  std::swap(unproven_, halves_);
+  return std::nullopt;
+}
+
+double Scene::leastOf(const ScenePairs::Pair& pair, std::span<const double> clearance) {
+  return std::max(clearance[pair.tag], kLeastClearance);
 }
 
 std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std::span<const double> clearance,
@@ -317,28 +380,11 @@ std::optional<PairIndex> Scene::findNearer(std::span<const MovedPart> moved, std
   double most = kLeastClearance;
   for (const double one : clearance) most = std::max(most, one);
   prepareMotion(moved, most + kTouchingDistance, standing);
-  std::optional<PairIndex> found;
-  const auto clearanceOf = [&](PairIndex pair) { return clearance[pairs_[pair].tag]; };
-  // Most motions that are not free end in something: that is looked at first.
-  for (std::size_t i = 0; i < candidates_.size() && !found; ++i) {
-    ScenePairs::Pair& pair = pairs_[candidates_[i].pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
-    const double least = std::max(clearanceOf(candidates_[i].pair), kLeastClearance);
-    if (candidates_[i].lower_bound > a.motion().path_bound + b.motion().path_bound + least) continue;
-    Station scratch_a, scratch_b;
-    const Station &end_a = stationOf(a, kEndNode, 1.0, scratch_a), &end_b = stationOf(b, kEndNode, 1.0, scratch_b);
-    if (sphereGap(end_a.at, end_b.at) > least || boxGap(end_a.at, end_b.at) > least) continue;
-    if (queryOf(pair).within(end_a.X_WP, end_b.X_WP, least)) found = candidates_[i].pair;
-  }
-  for (std::size_t i = 0; i < candidates_.size() && !found; ++i) {
-    ScenePairs::Pair& pair = pairs_[candidates_[i].pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
-    const double least = std::max(clearanceOf(candidates_[i].pair), kLeastClearance);
-    if (candidates_[i].lower_bound > a.motion().path_bound + b.motion().path_bound + least) continue;
-    // One inside the other is seen here only: on its way out its surface would come near.
-    const bool begins_near =
-        candidates_[i].lower_bound <= least && queryOf(pair).within(a.motion().at(0.0), b.motion().at(0.0), least);
-    if (begins_near || !keepsApart(queryOf(pair), a, b, clearanceOf(candidates_[i].pair))) found = candidates_[i].pair;
+  std::optional<PairIndex> found = nearerAtEnd(clearance);
+  if (!found) found = listUnproven(clearance);
+  while (!found && !unproven_.empty()) {
+    found = lookAtMiddles(clearance);
+    if (!found) found = proveOrHalve(clearance);
   }
   endMotion();
   return found;
