@@ -30,6 +30,7 @@
 #include "app/live/live_dock.h"
 #include "app/planning/planning_docks.h"
 #include "app/robot/robot_docks.h"
+#include "app/ros2/ros2_dock.h"
 #include "app/studies/studies_docks.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/docks/trajectory_docks.h"
@@ -118,6 +119,7 @@ void addPanels(Host& host) {
   addPlanningDocks(host);
   addStudiesDocks(host);
   addLiveDock(host);
+  addRos2Dock(host);
   addConsoleDock(host);
   addAccessDocks(host);
   addAgentsDock(host);

@@ -1331,6 +1331,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, et aucun chemin droit de %2 au plus n'en sort</translation>
     </message>
     <message>
+        <source>%1, and the controller did not confirm that it stopped</source>
+        <translation>%1, et le contrôleur n'a pas confirmé son arrêt</translation>
+    </message>
+    <message>
         <source>%1, as in the header</source>
         <translation>%1, comme dans l'en-tête</translation>
     </message>
@@ -1957,6 +1961,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'%1' is this entity or is attached to it</source>
         <translation>'%1' est cette entité ou y est attaché</translation>
+    </message>
+    <message>
+        <source>'%1' meets '%2' %3 ms after the start</source>
+        <translation>'%1' rencontre '%2' %3 ms après le début</translation>
     </message>
     <message>
         <source>'%1' twice</source>
@@ -2887,6 +2895,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accès à %1</translation>
     </message>
     <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Action FollowJointTrajectory of the robot's controller, as 'ros2 action list' shows it</source>
+        <translation>Action FollowJointTrajectory du contrôleur du robot, telle que 'ros2 action list' l'affiche</translation>
+    </message>
+    <message>
+        <source>Action: %1</source>
+        <translation>Action : %1</translation>
+    </message>
+    <message>
         <source>Acts now</source>
         <translation>Agit</translation>
     </message>
@@ -3197,6 +3217,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Arms to the sides</source>
         <translation>Bras écartés</translation>
+    </message>
+    <message>
+        <source>As ROS_DOMAIN_ID of the other programs. Default: 0</source>
+        <translation>Comme ROS_DOMAIN_ID des autres programmes. Par défaut : 0</translation>
     </message>
     <message>
         <source>As for the entity</source>
@@ -3647,6 +3671,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier les collisions de %1</translation>
     </message>
     <message>
+        <source>Check and send …</source>
+        <translation>Vérifier et envoyer …</translation>
+    </message>
+    <message>
         <source>Check device</source>
         <translation>Vérifier le périphérique</translation>
     </message>
@@ -3711,6 +3739,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le mouvement</translation>
     </message>
     <message>
+        <source>Check the motion in the cell, then ask before the robot moves</source>
+        <translation>Vérifier le mouvement dans la cellule, puis demander avant que le robot bouge</translation>
+    </message>
+    <message>
         <source>Check the options for this cluster; the script stays in the folder.</source>
         <translation>Vérifiez les options pour cette grappe ; le script reste dans le dossier.</translation>
     </message>
@@ -3731,8 +3763,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifié pour les collisions</translation>
     </message>
     <message>
+        <source>Checked: no contact, within the limits.</source>
+        <translation>Vérifié : aucun contact, dans les limites.</translation>
+    </message>
+    <message>
         <source>Checking the mesh</source>
         <translation>Examen du maillage</translation>
+    </message>
+    <message>
+        <source>Checking the motion …</source>
+        <translation>Vérification du mouvement …</translation>
     </message>
     <message>
         <source>Checking the path…</source>
@@ -4495,6 +4535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Différence</translation>
     </message>
     <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
         <source>Disassemble</source>
         <translation>Démonter</translation>
     </message>
@@ -4525,6 +4569,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Do not check %1 for collision</source>
         <translation>Ne pas vérifier les collisions de %1</translation>
+    </message>
+    <message>
+        <source>Domain</source>
+        <translation>Domaine</translation>
     </message>
     <message>
         <source>Done</source>
@@ -5495,6 +5543,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Compensation du poids de la pièce tenue</translation>
     </message>
     <message>
+        <source>Greatest speed of the tool. A faster motion is slowed as a whole. Default: 250 mm/s</source>
+        <translation>Vitesse maximale de l'outil. Un mouvement plus rapide est ralenti en entier. Par défaut : 250 mm/s</translation>
+    </message>
+    <message>
         <source>Grid %1</source>
         <translation>Grille %1</translation>
     </message>
@@ -6163,6 +6215,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder l'orientation</translation>
     </message>
     <message>
+        <source>Keep people out of its reach and the emergency stop at hand.</source>
+        <translation>Éloignez les personnes de sa portée et gardez l'arrêt d'urgence à portée de main.</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>Garder la pose</translation>
+    </message>
+    <message>
         <source>Keep position</source>
         <translation>Garder la position</translation>
     </message>
@@ -6485,6 +6545,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Look at part</source>
         <translation>Regarder la pièce</translation>
+    </message>
+    <message>
+        <source>Looking for the controller and the robot …</source>
+        <translation>Recherche du contrôleur et du robot …</translation>
     </message>
     <message>
         <source>Looking for ways, hands and persons. The cell stays as it is.</source>
@@ -6827,6 +6891,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
+        <source>Move the robot</source>
+        <translation>Faire bouger le robot</translation>
+    </message>
+    <message>
         <source>Move the selected entity</source>
         <translation>Déplacer l’entité sélectionnée</translation>
     </message>
@@ -7045,6 +7113,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Neighbour</source>
         <translation>Voisin</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>Réseau</translation>
     </message>
     <message>
         <source>Never saved. Kept up to %1.</source>
@@ -7403,6 +7475,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore vérifié</translation>
     </message>
     <message>
+        <source>Not checked, because they touch at the start: %1</source>
+        <translation>Non vérifié, car en contact au début : %1</translation>
+    </message>
+    <message>
         <source>Not chosen yet</source>
         <translation>Pas encore choisi</translation>
     </message>
@@ -7433,6 +7509,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Not responding: its force is zero</source>
         <translation>Ne répond pas : son effort est nul</translation>
+    </message>
+    <message>
+        <source>Not sent.</source>
+        <translation>Non envoyé.</translation>
     </message>
     <message>
         <source>Not tested yet. The server must respond first</source>
@@ -7559,8 +7639,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrêt</translation>
     </message>
     <message>
+        <source>Off. No robot is moved.</source>
+        <translation>Désactivé. Aucun robot ne bouge.</translation>
+    </message>
+    <message>
         <source>Off. Nobody can watch.</source>
         <translation>Arrêtée. Personne ne peut regarder.</translation>
+    </message>
+    <message>
+        <source>Off. Nothing is published or received.</source>
+        <translation>Désactivé. Rien n'est publié ni reçu.</translation>
     </message>
     <message>
         <source>Off: the mannequin can step so that the hand reaches</source>
@@ -7599,6 +7687,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>En marche. Dans Foxglove ou Lichtblick, choisissez Open connection, Foxglove WebSocket, et saisissez l'adresse ci-dessous.</translation>
     </message>
     <message>
+        <source>On. Published joint states: %1; programs that read them: %2</source>
+        <translation>Activé. États articulaires publiés : %1 ; programmes qui les lisent : %2</translation>
+    </message>
+    <message>
+        <source>On. The robot follows /joint_states, %1 messages a second.</source>
+        <translation>Activé. Le robot suit /joint_states, %1 messages par seconde.</translation>
+    </message>
+    <message>
         <source>On. Viewers watching: %1</source>
         <translation>En marche. Spectateurs : %1</translation>
     </message>
@@ -7625,6 +7721,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Only motion group 1 is read.</source>
         <translation>Seul le groupe de mouvement 1 est lu.</translation>
+    </message>
+    <message>
+        <source>Only programs on this machine</source>
+        <translation>Seulement les programmes de cette machine</translation>
     </message>
     <message>
         <source>Only the %1 nearest parts of %2 can go first in this answer; the others count as fixed.</source>
@@ -8519,6 +8619,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Propriétés</translation>
     </message>
     <message>
+        <source>Publish</source>
+        <translation>Publier</translation>
+    </message>
+    <message>
+        <source>Publish: joints, frames, description and scene of the robot as it moves here. Mirror: the robot here follows /joint_states.</source>
+        <translation>Publier : articulations, repères, description et scène du robot tel qu'il bouge ici. Miroir : le robot suit ici /joint_states.</translation>
+    </message>
+    <message>
         <source>Pull ahead</source>
         <translation>Traction devant</translation>
     </message>
@@ -8605,6 +8713,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>ROOT is missing</source>
         <translation>pas de ROOT</translation>
+    </message>
+    <message>
+        <source>ROS 2</source>
+        <translation>ROS 2</translation>
     </message>
     <message>
         <source>ROS 2 JointTrajectory (.yaml)</source>
@@ -9555,6 +9667,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionne la pièce et la guide doucement le long du trajet pendant que vous la tenez</translation>
     </message>
     <message>
+        <source>Send a motion to a real robot</source>
+        <translation>Envoyer un mouvement à un robot réel</translation>
+    </message>
+    <message>
         <source>Sensor %1 hardly moved between the poses. The calibration is unchanged.</source>
         <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est inchangé.</translation>
     </message>
@@ -9601,6 +9717,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
         <translation>Réglez d'abord la plage, par les crochets affichés dans la barre de temps.</translation>
+    </message>
+    <message>
+        <source>Set the robot of the cell to the received joints, as one undo step</source>
+        <translation>Placer le robot de la cellule aux articulations reçues, en une étape annulable</translation>
     </message>
     <message>
         <source>Set the robot of these joints (--robot), so that the poses can be computed.</source>
@@ -9971,6 +10091,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Commencer sans efforts</translation>
     </message>
     <message>
+        <source>Starting …</source>
+        <translation>Démarrage …</translation>
+    </message>
+    <message>
         <source>Starts</source>
         <translation>Départs</translation>
     </message>
@@ -10033,6 +10157,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stop recording  (R)</source>
         <translation>Arrêter l'enregistrement  (R)</translation>
+    </message>
+    <message>
+        <source>Stop the robot</source>
+        <translation>Arrêter le robot</translation>
     </message>
     <message>
         <source>Stop the video, %1 % done</source>
@@ -10315,6 +10443,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
     <message>
+        <source>The cell has no kept motion. Record one, or import it.</source>
+        <translation>La cellule n'a aucun mouvement conservé. Enregistrez-en un ou importez-le.</translation>
+    </message>
+    <message>
+        <source>The cell has no robot.</source>
+        <translation>La cellule n'a pas de robot.</translation>
+    </message>
+    <message>
         <source>The cell is as it was; names that you had set are gone. A new one starts.</source>
         <translation>La cellule est inchangée ; les noms que vous aviez définis sont perdus. Un nouvel interpréteur démarre.</translation>
     </message>
@@ -10345,6 +10481,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The connection was lost before the end; what was received is written.</source>
         <translation>La connexion a été perdue avant la fin ; ce qui a été reçu est écrit.</translation>
+    </message>
+    <message>
+        <source>The controller refused the motion.</source>
+        <translation>Le contrôleur a refusé le mouvement.</translation>
     </message>
     <message>
         <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
@@ -10603,6 +10743,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>La liaison en mémoire est fermée.</translation>
     </message>
     <message>
+        <source>The link to ROS 2 could not be started: %1 was not found or cannot be run.</source>
+        <translation>La liaison avec ROS 2 n'a pas pu démarrer : %1 est introuvable ou ne peut pas être exécuté.</translation>
+    </message>
+    <message>
+        <source>The link to ROS 2 stopped unexpectedly. Start it again.</source>
+        <translation>La liaison avec ROS 2 s'est arrêtée de façon inattendue. Redémarrez-la.</translation>
+    </message>
+    <message>
         <source>The link to the haptic server failed: %1.</source>
         <translation>La liaison avec le serveur haptique a échoué : %1.</translation>
     </message>
@@ -10649,6 +10797,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The motion is saved</source>
         <translation>Le mouvement est enregistré</translation>
+    </message>
+    <message>
+        <source>The motion is slowed %1 times.</source>
+        <translation>Le mouvement est ralenti %1 fois.</translation>
     </message>
     <message>
         <source>The motion was not exported</source>
@@ -10755,6 +10907,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le programme aurait %1 déplacements.</translation>
     </message>
     <message>
+        <source>The real robot '%1' will move for %2 s, its tool at up to %3 mm/s, and its fastest joint at up to %4 % of its limit.</source>
+        <translation>Le robot réel '%1' bougera pendant %2 s, son outil jusqu'à %3 mm/s et son articulation la plus rapide jusqu'à %4 % de sa limite.</translation>
+    </message>
+    <message>
         <source>The recording was not read</source>
         <translation>L'enregistrement n'a pas été lu</translation>
     </message>
@@ -10799,8 +10955,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
     </message>
     <message>
+        <source>The robot finished the motion.</source>
+        <translation>Le robot a terminé le mouvement.</translation>
+    </message>
+    <message>
         <source>The robot has no six-axis configuration. The configuration data are the format's defaults.</source>
         <translation>Le robot n'a pas de configuration à six axes ; les données de configuration sont celles par défaut du format.</translation>
+    </message>
+    <message>
+        <source>The robot moves: %1 s</source>
+        <translation>Le robot bouge : %1 s</translation>
+    </message>
+    <message>
+        <source>The robot stopped before the end of the motion: %1</source>
+        <translation>Le robot s'est arrêté avant la fin du mouvement : %1</translation>
     </message>
     <message>
         <source>The robot was not added</source>
@@ -11223,6 +11391,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Décalage de l'outil</translation>
     </message>
     <message>
+        <source>Tool speed</source>
+        <translation>Vitesse outil</translation>
+    </message>
+    <message>
         <source>Tool turns</source>
         <translation>Tours outil</translation>
     </message>
@@ -11241,6 +11413,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Top</source>
         <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Topics of other programs</source>
+        <translation>Topics des autres programmes</translation>
+    </message>
+    <message>
+        <source>Topics of other programs (publishers → subscribers)</source>
+        <translation>Topics des autres programmes (éditeurs → abonnés)</translation>
     </message>
     <message>
         <source>Touch something with forces on to measure the delay from felt to displayed</source>
@@ -13435,6 +13615,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un serveur qui répond jusqu'à la fin du trajet de la main</translation>
     </message>
     <message>
+        <source>a server with the DDS of the maker %1</source>
+        <translation>un serveur avec le DDS du fabricant %1</translation>
+    </message>
+    <message>
         <source>a shape</source>
         <translation>une forme</translation>
     </message>
@@ -14005,6 +14189,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an absolute path</source>
         <translation>un chemin absolu</translation>
+    </message>
+    <message>
+        <source>an action of the type %1</source>
+        <translation>une action du type %1</translation>
     </message>
     <message>
         <source>an address of this machine and a free port</source>
@@ -15879,6 +16067,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
     </message>
     <message>
+        <source>it was deleted</source>
+        <translation>il a été supprimé</translation>
+    </message>
+    <message>
         <source>it would not be as in the variant</source>
         <translation>elle ne serait pas comme dans la variante</translation>
     </message>
@@ -15943,6 +16135,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe '%1' est de type '%2'</translation>
     </message>
     <message>
+        <source>joint '%1' is beyond its limit %2 ms after the start</source>
+        <translation>l'articulation '%1' dépasse sa limite %2 ms après le début</translation>
+    </message>
+    <message>
+        <source>joint '%1' is faster than its limit %2 ms after the start</source>
+        <translation>l'articulation '%1' est plus rapide que sa limite %2 ms après le début</translation>
+    </message>
+    <message>
+        <source>joint '%1' left the motion by more than 0.2 rad (20 mm)</source>
+        <translation>l'articulation '%1' s'est écartée du mouvement de plus de 0,2 rad (20 mm)</translation>
+    </message>
+    <message>
         <source>joint '%1' mimics itself through other joints</source>
         <translation>l'axe '%1' se suit lui-même en boucle</translation>
     </message>
@@ -15953,6 +16157,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>joint '%1' of the goal is outside its limits</source>
         <translation>l’articulation « %1 » du but est hors de ses limites</translation>
+    </message>
+    <message>
+        <source>joint '%1' of the robot is not at the first point of the motion</source>
+        <translation>l'articulation '%1' du robot n'est pas au premier point du mouvement</translation>
     </message>
     <message>
         <source>joint '%1' twice</source>
@@ -18207,6 +18415,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>arrêté avant la vérification du trajet montré</translation>
     </message>
     <message>
+        <source>stopped by the user</source>
+        <translation>arrêté par l'utilisateur</translation>
+    </message>
+    <message>
         <source>straight</source>
         <translation>droit</translation>
     </message>
@@ -18399,6 +18611,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la boîte englobante de la forme dans la cellule, à 1e-9 m près</translation>
     </message>
     <message>
+        <source>the button of the stylus was released, or its server was lost</source>
+        <translation>le bouton du stylet a été relâché, ou son serveur est perdu</translation>
+    </message>
+    <message>
         <source>the call of macro '%1' does not set %2</source>
         <translation>la macro '%1' sans ses paramètres %2</translation>
     </message>
@@ -18489,6 +18705,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the content of a glTF file</source>
         <translation>le contenu d'un fichier glTF</translation>
+    </message>
+    <message>
+        <source>the controller did not start the motion within 5 s</source>
+        <translation>le contrôleur n'a pas commencé le mouvement en 5 s</translation>
     </message>
     <message>
         <source>the copied file</source>
@@ -19091,6 +19311,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun segment</translation>
     </message>
     <message>
+        <source>the motion lasts longer than it should</source>
+        <translation>le mouvement dure plus longtemps qu'il ne devrait</translation>
+    </message>
+    <message>
         <source>the motion of an expert</source>
         <translation>le mouvement d'un expert</translation>
     </message>
@@ -19169,6 +19393,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the name of the guided entity</source>
         <translation>le nom de l'entité guidée</translation>
+    </message>
+    <message>
+        <source>the name of the robot, '%1'</source>
+        <translation>le nom du robot, '%1'</translation>
     </message>
     <message>
         <source>the number of a job</source>
@@ -19389,6 +19617,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the robot's base</source>
         <translation>la base du robot</translation>
+    </message>
+    <message>
+        <source>the robot's joint states did not come for 0.5 s</source>
+        <translation>les états articulaires du robot ne sont pas venus pendant 0,5 s</translation>
     </message>
     <message>
         <source>the robots %1</source>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticell-ros2 JOB: one JSON object that says what to do, as hapticell-cli ros2 makes it. The result is one JSON
+// hapticell-ros2 JOB: one JSON object that says what to do, as hapticell-cli ros2 and the window make it. The result is one JSON
 // object on standard output; a sentence on standard error and exit 2 say why not.
 #include <dds/version.h>
 #include <sys/prctl.h>
@@ -13,6 +13,8 @@
 #include <string_view>
 
 #include "bridge/ros2/cell_publisher.h"
+#include "bridge/ros2/live_link.h"
+#include "bridge/ros2/motion_sender.h"
 #include "bridge/ros2/ros_listener.h"
 #include "config/program_version.h"
 #include "geometry/system/nesting_limit.h"
@@ -64,10 +66,53 @@ hapticell::Expected<nlohmann::ordered_json> listen(const nlohmann::json& job) {
   return hapticell::bridge::listen(options, stop_asked);
 }
 
+hapticell::Expected<nlohmann::ordered_json> send(const nlohmann::json& job) {
+  hapticell::bridge::SendOptions options;
+  options.node = nodeOptions(job);
+  options.motion.workcell = job.value("workcell", "");
+  options.motion.entity = job.value("entity", "");
+  options.motion.motion = job.value("motion", "");
+  options.motion.action = job.value("action", "");
+  options.motion.tool_speed = job.value("tool_speed", options.motion.tool_speed);
+  options.motion.joint_share = job.value("joint_share", options.motion.joint_share);
+  options.confirmation = job.value("confirmation", "");
+  const std::string services = job.value("services", "auto");
+  if (services != "auto")
+    options.services = services == "plain" ? hapticell::bridge::RpcForm::kPlain : hapticell::bridge::RpcForm::kNumbered;
+  options.joint_topic = job.value("joint_topic", options.joint_topic);
+  options.hold = job.value("hold", "");
+  options.wait = job.value("wait", options.wait);
+  if (job.value("progress", false)) {
+    options.progress = [](const nlohmann::ordered_json& progress) {
+      std::printf("%s\n", progress.dump().c_str());
+      std::fflush(stdout);
+    };
+  }
+  return hapticell::bridge::sendMotion(options, stop_asked);
+}
+
+hapticell::Expected<nlohmann::ordered_json> link(const nlohmann::json& job) {
+  hapticell::bridge::LiveLinkOptions options;
+  options.node = nodeOptions(job);
+  options.workcell = job.value("workcell", "");
+  options.entity = job.value("entity", "");
+  options.mirror = job.value("mirror", false);
+  options.joint_topic = job.value("joint_topic", options.joint_topic);
+  options.rate_hz = job.value("rate", options.rate_hz);
+  return hapticell::bridge::runLiveLink(options, stop_asked);
+}
+
+hapticell::Expected<nlohmann::ordered_json> done(const nlohmann::json& job) {
+  const std::string what = job.value("do", "");
+  if (what == "listen") return listen(job);
+  if (what == "link") return link(job);
+  return what == "send" ? send(job) : publish(job);
+}
+
 constexpr const char* kUsage = R"(Usage: hapticell-ros2 JOB
 
-Speaks with ROS 2 for hapticell-cli, which starts it, so that a fault in the DDS library cannot end it. It is not meant
-to be started by hand: use hapticell-cli ros2.
+Speaks with ROS 2 for hapticell-cli and the window, which start it, so that a fault in the DDS library cannot end
+them. It is not meant to be started by hand: use hapticell-cli ros2.
 
 JOB is one JSON object that says what to publish or to listen to. The result is one JSON object on standard output.
 
@@ -90,7 +135,7 @@ int run(const std::string& text) {
     std::fprintf(stderr, "hapticell-ros2 is started by 'hapticell-cli ros2'.\n");
     return 2;
   }
-  const auto result = job.value("do", "") == "listen" ? listen(job) : publish(job);
+  const auto result = done(job);
   if (!result) {
     std::fprintf(stderr, "hapticell-cli: %s\n", result.error().message().c_str());
     return 2;

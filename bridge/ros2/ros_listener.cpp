@@ -11,6 +11,7 @@
 
 #include "bridge/ros2/collision_objects.h"
 #include "bridge/ros2/ros_conversion.h"
+#include "bridge/ros2/taken_samples.h"
 #include "geometry/system/atomic_file.h"
 #include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/trajectory.h"
@@ -24,21 +25,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using nlohmann::ordered_json;
 using trajectory::Trajectory;
-
-/// Messages that are lent by DDS and given back.
-template <typename Message, typename Take>
-void takeAll(dds_entity_t reader, const Take& take) {
-  constexpr std::uint32_t kAtOnce = 64;
-  for (;;) {
-    void* samples[kAtOnce] = {nullptr};
-    dds_sample_info_t infos[kAtOnce];
-    const dds_return_t count = dds_take(reader, samples, infos, kAtOnce, kAtOnce);
-    if (count <= 0) return;
-    for (dds_return_t i = 0; i < count; ++i)
-      if (infos[i].valid_data) take(*static_cast<const Message*>(samples[i]));
-    dds_return_loan(reader, samples, count);
-  }
-}
 
 /// Joint states of one robot as a motion, and the last position of every joint that was heard.
 class HeardJoints {

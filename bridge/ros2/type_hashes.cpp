@@ -11,6 +11,14 @@ namespace {
 
 // Written by tools/ros2_type_hashes. They change only with the public definitions.
 constexpr std::pair<std::string_view, std::string_view> kTypeHashes[] = {
+    {"action_msgs::msg::dds_::GoalStatusArray_", "RIHS01_6c1684b00f177d37438febe6e709fc4e2b0d4248dca4854946f9ed8b30cda83e"},
+    {"action_msgs::srv::dds_::CancelGoal_Request_", "RIHS01_573d8b0a534451d7bc2ac8c5ffde8ac14b8593b7001175d0cd6516dcbeb8689a"},
+    {"action_msgs::srv::dds_::CancelGoal_Response_", "RIHS01_573d8b0a534451d7bc2ac8c5ffde8ac14b8593b7001175d0cd6516dcbeb8689a"},
+    {"control_msgs::action::dds_::FollowJointTrajectory_FeedbackMessage_", "RIHS01_80398fcb9674a79081a9906e2ccf0c804dd7cb15e22e362e606ee87186beab71"},
+    {"control_msgs::action::dds_::FollowJointTrajectory_GetResult_Request_", "RIHS01_e3ceb38e3e1867c8dc0f46014df26e90eb93422f27e9e97f936e07f94be4bc8b"},
+    {"control_msgs::action::dds_::FollowJointTrajectory_GetResult_Response_", "RIHS01_e3ceb38e3e1867c8dc0f46014df26e90eb93422f27e9e97f936e07f94be4bc8b"},
+    {"control_msgs::action::dds_::FollowJointTrajectory_SendGoal_Request_", "RIHS01_b13789dddc325a7a962825c45e28c77d37237ec129dd0c34dc5994562938c57f"},
+    {"control_msgs::action::dds_::FollowJointTrajectory_SendGoal_Response_", "RIHS01_b13789dddc325a7a962825c45e28c77d37237ec129dd0c34dc5994562938c57f"},
     {"geometry_msgs::msg::dds_::PoseStamped_", "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"},
     {"geometry_msgs::msg::dds_::WrenchStamped_", "RIHS01_8dc3deaf06b2ab281f9f9a742a8961c328ca7cec16e3fd6586d3a5c83fa78f77"},
     {"moveit_msgs::msg::dds_::CollisionObject_", "RIHS01_74b0acd6d56be032bf4f764b2c2633f50588b5fb2bd71e97206c59052747cf7e"},

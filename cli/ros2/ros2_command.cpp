@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/ros2/ros2_command.h"
 
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/result_writer.h"
 #include "cli/kit/server_address.h"
-#include "cli/ros2/bridge_call.h"
 #include "cli/ros2/package_command.h"
+#include "cli/ros2/ros_words.h"
+#include "cli/ros2/send_command.h"
 
 namespace hapticell::cli {
 
@@ -17,15 +17,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What both directions share.
-struct RosWords {
-  int domain = -1;  ///< Below 0: not given.
-  bool this_machine = false;
-  double seconds = 10.0;
-};
-
 struct PublishWords {
   RosWords ros;
+  double seconds = 10.0;
   std::string workcell, entity, motion, server, trajectory, meshes;
   double rate = 100.0, wait = 5.0;
   bool clock = false, repeat = false, contacts = false;
@@ -33,41 +27,24 @@ struct PublishWords {
 
 struct ListenWords {
   RosWords ros;
+  double seconds = 10.0;
   std::string output, trajectory, description, workcell, entity, mirror;
   bool objects = false;
   std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
 };
 
-/// --domain, else ROS_DOMAIN_ID, else 0.
-Expected<int> domainOf(const RosWords& words) {
-  const char* const named = std::getenv("ROS_DOMAIN_ID");
-  if (words.domain >= 0) return words.domain;
-  if (!named || *named == '\0') return 0;
-  char* end = nullptr;
-  const long domain = std::strtol(named, &end, 10);
-  if (*end != '\0' || domain < 0 || domain > 232)
-    return makeError({.place = "ROS_DOMAIN_ID", .found = std::string(named), .expected = "0 to 232"});
-  return static_cast<int>(domain);
-}
-
-ExitStatus runBridge(ordered_json job, const RosWords& words, const ResultWriter& writer) {
-  const auto failed = [](const Error& error) {
-    report(error);
+ExitStatus runBridge(ordered_json job, const RosWords& words, double seconds, const ResultWriter& writer) {
+  job["seconds"] = seconds;
+  const auto answer = bridgeResult(std::move(job), words);
+  if (!answer) {
+    report(answer.error());
     return ExitStatus::kBadInput;
-  };
-  const auto domain = domainOf(words);
-  if (!domain) return failed(domain.error());
-  const char* const local = std::getenv("ROS_LOCALHOST_ONLY");
-  job["domain"] = *domain;
-  job["this_machine"] = words.this_machine || (local && std::string(local) == "1");
-  job["seconds"] = words.seconds;
-  const auto answer = callBridge(job.dump());
-  if (!answer) return failed(answer.error());
-  if (answer->status != 0) return ExitStatus::kBadInput;  // Its sentence is on standard error already.
-  const ordered_json result = ordered_json::parse(answer->output, nullptr, false);
-  if (result.is_discarded())
-    return failed({.found = "hapticell-ros2 gave no result", .fix = "This is a bug. Please report it."});
-  if (const auto written = writer.write(result); !written) return failed(written.error());
+  }
+  if (!*answer) return ExitStatus::kBadInput;  // Its sentence is on standard error already.
+  if (const auto written = writer.write(**answer); !written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
+  }
   return ExitStatus::kDone;
 }
 
@@ -90,7 +67,7 @@ ExitStatus runPublish(const PublishWords& words, const ResultWriter& writer) {
                     {"clock", words.clock},
                     {"contacts", words.contacts},
                     {"repeat", words.repeat}},
-                   words.ros, writer);
+                   words.ros, words.seconds, writer);
 }
 
 ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
@@ -109,7 +86,7 @@ ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
                     {"objects", words.objects},
                     {"joint_topic", words.joint_topic},
                     {"trajectory_topic", words.trajectory_topic}},
-                   words.ros, writer);
+                   words.ros, words.seconds, writer);
 }
 
 ExitStatus runPackage(const PackageWords& words, const ResultWriter& writer) {
@@ -118,12 +95,6 @@ ExitStatus runPackage(const PackageWords& words, const ResultWriter& writer) {
   if (written) return ExitStatus::kDone;
   report(written.error());
   return ExitStatus::kBadInput;
-}
-
-void addRosOptions(Subcommand command, RosWords& words, const char* seconds) {
-  command.option("--domain", words.domain, "Domain, 0 to 232 (ROS_DOMAIN_ID, else 0)").withinWhole(0, 232);
-  command.flag("--this-machine", words.this_machine, "Only programs on this machine (as ROS_LOCALHOST_ONLY=1)");
-  command.option("--seconds", words.seconds, seconds).within(0.0, 86400.0);
 }
 
 }  // namespace
@@ -145,7 +116,8 @@ void addRos2Command(Subcommand app, Action& chosen) {
   publish.flag("--repeat", out->repeat, "Play the motion again and again");
   publish.flag("--contacts", out->contacts, "Publish the contacts of the motion as markers");
   publish.flag("--clock", out->clock, "Publish /clock and stamp with times from 0 (use_sim_time)");
-  addRosOptions(publish, out->ros, "Shortest duration, s (10); 0: until the motion ends or Ctrl+C");
+  addRosWords(publish, out->ros);
+  publish.option("--seconds", out->seconds, "Shortest duration, s (10); 0: until the motion ends or Ctrl+C").within(0.0, 86400.0);
   publish.onChosen([out, &chosen] { chosen = [out](ResultWriter& writer) { return runPublish(*out, writer); }; });
 
   const auto package = std::make_shared<PackageWords>();
@@ -173,8 +145,10 @@ void addRos2Command(Subcommand app, Action& chosen) {
   listen.option("--mirror", in->mirror, "Workcell to write with the received joints and objects").takes(ValueKind::kWorkcell);
   listen.option("--joint-topic", in->joint_topic, "Topic of the joint states (/joint_states)");
   listen.option("--trajectory-topic", in->trajectory_topic, "Topic of the motion (/joint_trajectory)");
-  addRosOptions(listen, in->ros, "How long to listen, s (10)");
+  addRosWords(listen, in->ros);
+  listen.option("--seconds", in->seconds, "How long to listen, s (10)").within(0.0, 86400.0);
   listen.onChosen([in, &chosen] { chosen = [in](ResultWriter& writer) { return runListen(*in, writer); }; });
+  addSendCommand(command, chosen);
 }
 
 }  // namespace hapticell::cli

@@ -25,6 +25,7 @@ MAY_START = {
     "cli/device/device_list.cpp": "itself, to ask a driver apart",
     "studies/cluster/program_call.cpp": "Slurm's commands, by config::systemProgram()",
     "cli/ros2/bridge_call.cpp": "hapticell-ros2 beside the program",
+    "app/ros2/ros2_process.cpp": "hapticell-ros2 beside the program",
     "cli/device/program_answer.cpp": "the window beside the program, for doctor",
 }
 STARTS = re.compile(r"\bQProcess\b|\bposix_spawn\s*\(|\bexecv[e]?\s*\(|(?<![\w.>:])fork\s*\(")

@@ -4,6 +4,7 @@
 //
 // usage: fastdds_peer DOMAIN read TOPIC TYPE COUNT SECONDS [latched]
 //        fastdds_peer DOMAIN write TOPIC TYPE COUNT HZ [latched]
+//        fastdds_peer DOMAIN act ACTION plain|numbered 0 SECONDS JOINTS BEHAVIOUR       a controller (fastdds_controller.h)
 //        fastdds_peer DOMAIN watch - - 0 SECONDS         the endpoints of others, with their USER_DATA
 #include <chrono>
 #include <cstdio>
@@ -24,6 +25,7 @@
 #include <string>
 #include <thread>
 
+#include "fastdds_controller.h"
 #include "ros2_messagesPubSubTypes.h"
 
 using namespace eprosima::fastdds::dds;
@@ -249,6 +251,10 @@ int main(int argc, char** argv) {
     participant->set_listener(&watch);
     std::this_thread::sleep_for(std::chrono::duration<double>(number));
     std::_Exit(0);
+  }
+  if (way == "act" && argc > 8) {
+    status = playController(participant, topic, type, number, argv[7], argv[8]);
+    std::_Exit(status);
   }
   if (way == "read") {
     if (type == "MarkerArray") status = readTopic<visualization_msgs::msg::dds_::MarkerArray_PubSubType>(participant, topic, count, number, latched);

@@ -6,10 +6,13 @@ multicast: every field of what is published and heard, who comes late, who goes 
 usage: ros2_exchange_test.py HAPTICELL_CLI PROJECT [FASTDDS_PEER]
 Exit 77 without the peer (Debian: libfastrtps-dev, fastddsgen and Java, when the tests are built).
 """
+import concurrent.futures
 import json
 import math
+import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -238,6 +241,133 @@ def a_motion_is_sent(folder, motion):
     assert "no reader" in answer(start("publish", "--workcell", CELL, "--motion", folder / "m.htraj", "--trajectory", "/nobody", "--wait", 1), 2)
 
 
+ACTION = "/arm/follow_joint_trajectory"
+
+
+def small_motion(folder, motion):
+    """A tenth of a radian of the second joint, from where the robot of the cell is: upwards, and a little too fast."""
+    cell = json.loads(CELL.read_text())
+    start = [next(e for e in cell["entities"] if e["name"] == "robot")["joints"][name] for name in motion["joints"]]
+    rows = []
+    for i in range(26):
+        s = i / 25
+        rows.append([0.4 * s, 0, 0, 0, 1, 0, 0, 0, start[0], start[1] - 0.1 * s * s * (3 - 2 * s), *start[2:]])
+    (folder / "small.htraj").write_text(json.dumps({"format": "hapticell-trajectory", "version": 1, "entity": "robot",
+                                                    "joints": motion["joints"], "has_poses": False, "frames": rows}))
+    return rows
+
+
+def sending(folder, domain, *more, confirm="robot", wait=20):
+    return subprocess.Popen([CLI, "ros2", "send", "--workcell", CELL, "--motion", folder / "small.htraj", "--action", ACTION, "--domain", domain,
+                             "--this-machine", "--wait", str(wait), *(("--confirm", confirm) if confirm else ()), *more], stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+
+def sent_once(folder, domain, form, behaviour, start, *more, interrupt=False):
+    """Exit status, result, sentence and what the controller saw."""
+    controller = subprocess.Popen([PEER, domain, "act", ACTION, form, "0", "60", start, behaviour], stdout=subprocess.PIPE, text=True)
+    send = sending(folder, domain, "--services", "auto" if form == "plain" else form, *more)
+    seen = []
+    while interrupt:
+        seen.append(json.loads(controller.stdout.readline()))
+        if seen[-1] == {"state": 2}:
+            os.killpg(send.pid, signal.SIGINT)
+            break
+    out, err = send.communicate(timeout=120)
+    controller.kill()
+    rest, _ = controller.communicate()
+    seen += [json.loads(line) for line in rest.splitlines() if line.endswith("}")]
+    return send.returncode, json.loads(out) if out else None, err, seen
+
+
+def sent(*words, **options):
+    """Again where a busy machine let the robot's joint states wait for half a second."""
+    for _ in range(3):
+        status, result, err, seen = sent_once(*words, **options)
+        if not (result and "0.5 s" in result.get("reason", "") and words[3] != "silent"):
+            break
+    return status, result, err, seen
+
+
+def motions_are_followed(folder, motion):
+    rows = small_motion(folder, motion)
+    start = ",".join(f"{name}={q!r}" for name, q in zip(motion["joints"], rows[0][8:]))
+    preview = sending(folder, DOMAIN, confirm=None)
+    out, err = preview.communicate(timeout=120)
+    shown = json.loads(out)
+    assert preview.returncode == 0 and not shown["sent"] and "Nothing was sent" in err and "'robot' moves for" in err, err
+    assert shown["tool_speed"] <= 0.25 < shown["tool_speed"] * shown["slowed"] and abs(shown["duration"] - 0.4 * shown["slowed"]) < 1e-6, shown
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        def run(domain, form, behaviour, *more, joints=start, **options):
+            return pool.submit(sent, folder, str(domain), form, behaviour, joints, *more, **options)
+        followed = {"plain": run(DOMAIN, "plain", "follow"), "numbered": run(88, "numbered", "noise"), "noise": run(89, "plain", "noise")}
+        others = {"reject": run(90, "plain", "reject"), "abort": run(91, "plain", "abort"), "deaf": run(92, "plain", "deaf", "--tool-speed", "0.02", interrupt=True),
+                  "user": run(93, "numbered", "follow", "--tool-speed", "0.02", interrupt=True),
+                  "silent": run(94, "plain", "silent", "--tool-speed", "0.05"),
+                  "stray": run(95, "plain", "stray", "--tool-speed", "0.05"), "idle": run(96, "plain", "idle"),
+                  "elsewhere": run(97, "plain", "follow", joints=start.replace("joint_2=0.", "joint_2=0.1"))}
+        followed, others = ({name: future.result() for name, future in runs.items()} for runs in (followed, others))
+    for name, (status, result, err, seen) in followed.items():
+        assert status == 0 and result["outcome"] == "succeeded" and result["sent"] and result["error_code"] == 0, (name, result, err)
+        assert result["feedbacks"] > 0 and result["confirmation"] == shown["confirmation"], (name, result)
+        goal = seen[0]["goal"]
+        assert goal["joints"] == motion["joints"] and goal["rest"] == 0 and goal["version"] == 4 and len(goal["points"]) == len(rows)
+        for row, point in zip(rows, goal["points"]):
+            assert abs(point[0] - shown["slowed"] * row[0]) < 1e-8 and point[1:7] == row[8:], (row, point)
+        assert set(goal["points"][0][7:]) == set(goal["points"][-1][7:]) == {0}
+        assert [item["state"] for item in seen if "state" in item] == [1, 2, 4], seen
+    cancelled = [{"cancel": 1, "stamp": 0}, {"state": 3}, {"state": 5}]
+    for name, reason in (("user", "stopped by the user"), ("silent", "did not come for 0.5 s"), ("stray", "left the motion"),
+                         ("idle", "did not start")):
+        status, result, err, seen = others[name]
+        assert status == 1 and result["outcome"] == "canceled" and reason in result["reason"], (name, result, err)
+        assert [item for item in seen if item in cancelled][:3] == cancelled, (name, seen)
+    status, result, err, seen = others["reject"]
+    assert status == 1 and result["outcome"] == "rejected" and len(seen) == 1, (result, seen)
+    status, result, err, seen = others["abort"]
+    assert status == 1 and (result["outcome"], result["error_code"], result["error"]) == ("aborted", -4, "A2 left its path"), result
+    status, result, err, seen = others["deaf"]
+    assert status == 2 and "emergency stop" in err and seen.count(cancelled[0]) > 5, (status, err, seen)
+    status, result, err, seen = others["elsewhere"]
+    assert status == 2 and "'joint_2' of the robot is not at the first point" in err and seen == [], (err, seen)
+    for name, sentence in (("arm", "the name of the robot, 'robot'"), ("robot", "no controller")):
+        wrong = sending(folder, "98", confirm=name, wait=0.5)
+        out, err = wrong.communicate(timeout=120)
+        assert wrong.returncode == 2 and sentence in err, err
+
+
+def linked(mirror):
+    """The link as the window starts it, with JSON lines in both directions."""
+    job = {"do": "link", "domain": int(DOMAIN), "this_machine": True, "workcell": str(CELL), "entity": "robot", "mirror": mirror}
+    return subprocess.Popen([CLI.with_name("hapticell-ros2"), json.dumps(job)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def the_window_is_linked(motion):
+    wanted = [0.1 * k for k in range(len(motion["joints"]))]
+    link = linked(False)
+    link.stdin.write("no JSON\n" + json.dumps({"joints": wanted[1:]}) + "\n" + json.dumps({"joints": wanted, "place": [1, 2, 3, 1, 0, 0, 0]}) + "\n")
+    link.stdin.flush()
+    states, frames = peer("read", "rt/joint_states", "JointState", 20, 30), peer("read", "rt/tf", "TFMessage", 20, 30)
+    for state in lines(states)[-5:]:
+        assert state["name"] == motion["joints"] and state["position"] == wanted, state
+    placed = [t for t in lines(frames)[-1]["transforms"] if t["header"]["frame_id"] == "world"]
+    assert len(placed) == 1 and placed[0]["translation"] == [1, 2, 3], placed
+    out, _ = link.communicate(timeout=30)  # The end of its input ends it.
+    assert link.returncode == 0 and json.loads(out.splitlines()[-1])["published"]["/joint_states"] >= 20, out[-500:]
+    start = ",".join(f"{name}={q!r}" for name, q in zip(motion["joints"], wanted))
+    robot = subprocess.Popen([PEER, DOMAIN, "act", ACTION, "plain", "0", "60", start, "follow"], stdout=subprocess.DEVNULL)
+    link, heard, report = linked(True), None, None
+    while not (heard and report and report["heard_hz"] > 0):
+        line = json.loads(link.stdout.readline())
+        heard, report = line.get("heard", heard), line if "topics" in line else report
+    robot.kill()
+    robot.wait()
+    link.communicate(timeout=30)
+    topics = {topic["name"]: (topic["type"], topic["publishers"]) for topic in report["topics"]}
+    assert heard == wanted and topics["/joint_states"] == ("sensor_msgs::msg::dds_::JointState_", 1), (heard, topics)
+    assert topics[ACTION + "/_action/status"] == ("action_msgs::msg::dds_::GoalStatusArray_", 1), topics
+
+
 def robots_are_heard(folder):
     listen = start("listen", "-o", folder / "heard.htraj", "--trajectory", folder / "sent.htraj", "--description", folder / "robot.urdf",
                    "--seconds", 9)
@@ -327,7 +457,8 @@ def main():
         folder = pathlib.Path(name)
         motion = motion_file(folder)
         watch = peer("watch", "-", "-", 0, 250)
-        for step in (lambda: everything_arrives(folder, motion), lambda: a_motion_is_sent(folder, motion), lambda: robots_are_heard(folder),
+        for step in (lambda: everything_arrives(folder, motion), lambda: a_motion_is_sent(folder, motion),
+                     lambda: motions_are_followed(folder, motion), lambda: the_window_is_linked(motion), lambda: robots_are_heard(folder),
                      lambda: a_robot_is_mirrored(folder, motion), lambda: objects_are_taken(folder),
                      lambda: types_are_announced(watch, hashes), lambda: contacts_are_marked(folder, motion),
                      lambda: depth_is_marked(folder, motion), lambda: peers_go_and_come(folder), lambda: a_thousand_a_second_arrive(folder)):

@@ -2,13 +2,14 @@
 """Type hashes of ROS 2 (RIHS01 of REP 2011), calculated from the public .msg definitions, which share nothing with our IDL.
 
 published: hashes that others have published: `ros2 topic info --verbose` of ROS 2 Jazzy, the code that rosidl generates for
-moveit_msgs, and tables of other implementations.
+moveit_msgs and control_msgs, and tables of other implementations.
 """
 import hashlib
 import json
 import re
 
 DEFINITIONS = """
+unique_identifier_msgs/UUID: uint8[16] uuid
 builtin_interfaces/Time: int32 sec, uint32 nanosec
 builtin_interfaces/Duration: int32 sec, uint32 nanosec
 std_msgs/Header: builtin_interfaces/Time stamp, string frame_id
@@ -67,6 +68,35 @@ moveit_msgs/PlanningSceneWorld: CollisionObject[] collision_objects, octomap_msg
 moveit_msgs/PlanningScene: string name, RobotState robot_state, string robot_model_name, \
 geometry_msgs/TransformStamped[] fixed_frame_transforms, AllowedCollisionMatrix allowed_collision_matrix, \
 LinkPadding[] link_padding, LinkScale[] link_scale, ObjectColor[] object_colors, PlanningSceneWorld world, bool is_diff
+service_msgs/ServiceEventInfo: uint8 event_type, builtin_interfaces/Time stamp, uint8[16] client_gid, int64 sequence_number
+action_msgs/GoalInfo: unique_identifier_msgs/UUID goal_id, builtin_interfaces/Time stamp
+action_msgs/GoalStatus: GoalInfo goal_info, int8 status
+action_msgs/GoalStatusArray: GoalStatus[] status_list
+action_msgs/srv/CancelGoal_Request: action_msgs/GoalInfo goal_info
+action_msgs/srv/CancelGoal_Response: int8 return_code, action_msgs/GoalInfo[] goals_canceling
+trajectory_msgs/MultiDOFJointTrajectoryPoint: geometry_msgs/Transform[] transforms, geometry_msgs/Twist[] velocities, \
+geometry_msgs/Twist[] accelerations, builtin_interfaces/Duration time_from_start
+trajectory_msgs/MultiDOFJointTrajectory: std_msgs/Header header, string[] joint_names, MultiDOFJointTrajectoryPoint[] points
+control_msgs/JointTolerance: string name, float64 position, float64 velocity, float64 acceleration
+control_msgs/JointComponentTolerance: string joint_name, uint16 component, float64 position, float64 velocity, \
+float64 acceleration
+control_msgs/action/FollowJointTrajectory_Goal: trajectory_msgs/JointTrajectory trajectory, \
+trajectory_msgs/MultiDOFJointTrajectory multi_dof_trajectory, control_msgs/JointTolerance[] path_tolerance, \
+control_msgs/JointComponentTolerance[] component_path_tolerance, control_msgs/JointTolerance[] goal_tolerance, \
+control_msgs/JointComponentTolerance[] component_goal_tolerance, builtin_interfaces/Duration goal_time_tolerance
+control_msgs/action/FollowJointTrajectory_Result: int32 error_code, string error_string
+control_msgs/action/FollowJointTrajectory_Feedback: std_msgs/Header header, string[] joint_names, \
+trajectory_msgs/JointTrajectoryPoint desired, trajectory_msgs/JointTrajectoryPoint actual, \
+trajectory_msgs/JointTrajectoryPoint error, string[] multi_dof_joint_names, \
+trajectory_msgs/MultiDOFJointTrajectoryPoint multi_dof_desired, trajectory_msgs/MultiDOFJointTrajectoryPoint multi_dof_actual, \
+trajectory_msgs/MultiDOFJointTrajectoryPoint multi_dof_error
+control_msgs/action/FollowJointTrajectory_SendGoal_Request: unique_identifier_msgs/UUID goal_id, \
+control_msgs/action/FollowJointTrajectory_Goal goal
+control_msgs/action/FollowJointTrajectory_SendGoal_Response: bool accepted, builtin_interfaces/Time stamp
+control_msgs/action/FollowJointTrajectory_GetResult_Request: unique_identifier_msgs/UUID goal_id
+control_msgs/action/FollowJointTrajectory_GetResult_Response: int8 status, control_msgs/action/FollowJointTrajectory_Result result
+control_msgs/action/FollowJointTrajectory_FeedbackMessage: unique_identifier_msgs/UUID goal_id, \
+control_msgs/action/FollowJointTrajectory_Feedback feedback
 """
 
 PUBLISHED = {
@@ -80,12 +110,33 @@ PUBLISHED = {
     "trajectory_msgs/msg/JointTrajectory": "179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e",
     "visualization_msgs/msg/MarkerArray": "86cb8800b6fb05b5eff1abd7a56f62a5641d3ae9a1c29e78e67e704f1d067dcf",
     "shape_msgs/msg/SolidPrimitive": "2802a15190aadc3f496584df4b0b4c5824d8a0b31aaef839faa75bc34dda38ac",
+    "action_msgs/msg/GoalStatusArray": "6c1684b00f177d37438febe6e709fc4e2b0d4248dca4854946f9ed8b30cda83e",
+    "action_msgs/srv/CancelGoal": "573d8b0a534451d7bc2ac8c5ffde8ac14b8593b7001175d0cd6516dcbeb8689a",
+    "control_msgs/action/FollowJointTrajectory_SendGoal": "b13789dddc325a7a962825c45e28c77d37237ec129dd0c34dc5994562938c57f",
+    "control_msgs/action/FollowJointTrajectory_GetResult": "e3ceb38e3e1867c8dc0f46014df26e90eb93422f27e9e97f936e07f94be4bc8b",
+    "control_msgs/action/FollowJointTrajectory_FeedbackMessage":
+        "80398fcb9674a79081a9906e2ccf0c804dd7cb15e22e362e606ee87186beab71",
     "moveit_msgs/msg/CollisionObject": "74b0acd6d56be032bf4f764b2c2633f50588b5fb2bd71e97206c59052747cf7e",
     "moveit_msgs/msg/PlanningSceneWorld": "e08e6a4a81ca6b6a6953ac758dadc2c949555093efea6a9a22d9accf62c2c099",
 }
 
 NUMBERS = dict(zip("int8 uint8 int16 uint16 int32 uint32 int64 uint64 float32 float64".split(), range(2, 12)), bool=15, byte=16,
                string=17)
+
+
+def full_name(name):
+    """sensor_msgs/JointState as sensor_msgs/msg/JointState; others have their kind in the name."""
+    return name if name.count("/") == 2 else name.replace("/", "/msg/")
+
+
+def add_services(types):
+    """A service is described as its three messages; the event repeats request and response, at most one of each."""
+    def part(name, kind, count=0):
+        return {"name": name, "type": {"type_id": 97 if count else 1, "capacity": count, "string_capacity": 0, "nested_type_name": kind}}
+    for name in [name[:-len("_Request")] for name in types if name.endswith("_Request")]:
+        types[name + "_Event"] = [part("info", "service_msgs/msg/ServiceEventInfo"), part("request", name + "_Request", 1),
+                                  part("response", name + "_Response", 1)]
+        types[name] = [part(f"{kind.lower()}_message", f"{name}_{kind}") for kind in ("Request", "Response", "Event")]
 
 
 def fields_of(package, text):
@@ -96,7 +147,7 @@ def fields_of(package, text):
         offset = 0 if not bracket else 96 if bound else 48 if count else 144
         nested = ""
         if base not in NUMBERS:
-            nested = "/msg/".join(base.split("/") if "/" in base else (package, base))
+            nested = full_name(base if "/" in base else f"{package}/{base}")
         fields.append({"name": name, "type": {"type_id": NUMBERS.get(base, 1) + offset, "capacity": int(count or 0),
                                               "string_capacity": 0, "nested_type_name": nested}})
     return fields
@@ -106,8 +157,8 @@ def calculated():
     types = {}
     for line in DEFINITIONS.strip().splitlines():
         name, text = line.split(":", 1)
-        package, message = name.split("/")
-        types[f"{package}/msg/{message}"] = fields_of(package, text)
+        types[full_name(name)] = fields_of(name.split("/")[0], text)
+    add_services(types)
 
     def below(name):
         nested = {field["type"]["nested_type_name"] for field in types[name]} - {""}
@@ -129,5 +180,6 @@ def check(project):
     topics = set(re.findall(r"@topic struct (\w+)_", (project / "bridge/ros2/ros2_messages.idl").read_text()))
     assert len(source) == len(topics) and {name.split("::")[-1].rstrip("_") for name in source} == topics, (source, topics)
     for name, value in source.items():
-        assert hashes[name.replace("::dds_", "").replace("::", "/")[:-1]] == value, name
+        announced = re.sub("_(Request|Response)_$", "_", name)  # Both parts of a service announce its hash.
+        assert hashes[announced.replace("::dds_", "").replace("::", "/")[:-1]] == value, name
     return source

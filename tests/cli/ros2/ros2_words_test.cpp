@@ -6,6 +6,7 @@
 
 #include "cli/ros2/bridge_call.h"
 #include "cli/ros2/package_command.h"
+#include "cli/ros2/send_command.h"
 #include "tests/cli/kit/kept_words.h"
 
 namespace hapticell::cli {
@@ -15,8 +16,21 @@ TEST(Ros2Command, TakesItsWords) {
   test::expectRefusals({addRos2Command},
                        {{{"ros2"}, "subcommand is required"},
                         {{"ros2", "package", "--workcell", "a.hcell"}, "--output is required"},
-                        {{"ros2", "package", "--workcell", "a.hcell", "-o", "b", "--samples", "0"}, "--samples"}});
-  EXPECT_THAT(test::OneCommand({addRos2Command}).below("ros2"), ::testing::ElementsAre("publish", "package", "listen"));
+                        {{"ros2", "package", "--workcell", "a.hcell", "-o", "b", "--samples", "0"}, "--samples"},
+                        {{"ros2", "send", "--workcell", "a.hcell", "--motion", "b.htraj"}, "--action is required"},
+                        {{"ros2", "send", "--workcell", "a.hcell", "--motion", "b.htraj", "--action", "/c", "--joint-share", "2"},
+                         "--joint-share"}});
+  EXPECT_THAT(test::OneCommand({addRos2Command}).below("ros2"), ::testing::ElementsAre("publish", "package", "listen", "send"));
+}
+
+TEST(Ros2Send, SaysWhatAPersonConfirms) {
+  const nlohmann::ordered_json preview{{"robot", "arm"},      {"action", "/c/follow_joint_trajectory"}, {"duration", 2.46},
+                                       {"slowed", 1.5},       {"tool_speed", 0.2},                      {"joint_share", 0.4},
+                                       {"touching_at_start", nlohmann::ordered_json::array({"arm/base / Table"})}};
+  EXPECT_EQ(confirmationSentence(preview),
+            "Robot 'arm' moves for 2.5 s, its tool at up to 200 mm/s and its fastest joint at 40 % of its limit, on "
+            "/c/follow_joint_trajectory. The motion is slowed 1.50 times. Not checked, because they touch at the start: "
+            "arm/base / Table.");
 }
 
 TEST(BridgeCall, GivesTheProgramsStatusOrSaysThatItIsNotThere) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge/ros2/cell_sources.h"
+
+#include <cstdlib>
+
+#include "exchange/recordings/recording_reader.h"
+#include "haptic/client/server_watch.h"
+#include "trajectory/files/trajectory_io.h"
+
+namespace hapticell::bridge {
+
+using workcell::Entity;
+
+Expected<std::shared_ptr<const Entity>> robotToPublish(const workcell::Document& document, const std::string& entity,
+                                                           const std::string& cell) {
+  std::shared_ptr<const Entity> found;
+  std::string names;
+  for (const auto& candidate : document.state().entities) {
+    if (!workcell::isMachine(*candidate)) continue;
+    if (!entity.empty() && candidate->name == entity) return candidate;
+    names += (names.empty() ? "" : ", ") + candidate->name;
+    found = found ? nullptr : candidate;
+    if (!found && entity.empty()) break;
+  }
+  if (entity.empty() && found) return found;
+  return makeError({cell, entity.empty() ? Text("robots") : Text("entity '%1'", entity),
+                    names.empty() ? Text("no robot") : Text("the robots %1", names), "one robot", "Name it by --entity."});
+}
+
+Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& document, const Entity& robot,
+                                                  const std::string& file, std::vector<Text>& notes) {
+  auto motion = exchange::isMcapFile(file) ? exchange::readMcapMotion(file, {}, &notes) : trajectory::readTrajectory(file, &notes);
+  HAPTICELL_TRY(motion);
+  auto replay = manipulation::MotionReplay::create(document.state().entities, robot.name,
+                                                   std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
+  if (!replay) replay.error().file = file;
+  return replay;
+}
+
+Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server) {
+  if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
+  const std::size_t colon = server.rfind(':');
+  return haptic::watchServer(server.substr(0, colon), static_cast<std::uint16_t>(std::atoi(server.c_str() + colon + 1)),
+                             "hapticell-ros2");
+}
+
+}  // namespace hapticell::bridge
