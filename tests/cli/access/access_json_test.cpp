@@ -25,7 +25,7 @@ TEST(AccessJson, OfAPartThatComesOutNamesItsWay) {
   EXPECT_EQ(json["part"], "block");
   EXPECT_TRUE(json["removable"].get<bool>());
   EXPECT_TRUE(json["blocked_by"].empty());
-  EXPECT_EQ(json["order"], nlohmann::json({"block"}));
+  EXPECT_EQ(json["order"], nlohmann::ordered_json::array({"block"}));
   ASSERT_EQ(json["steps"].size(), 1U);
   EXPECT_NEAR(json["steps"][0]["direction"][2].get<double>(), 1.0, 1e-9) << "the box is open at the top";
   EXPECT_GT(json["steps"][0]["length_m"].get<double>(), 0.1) << "higher than the walls";
@@ -37,15 +37,15 @@ TEST(AccessJson, OfAPartThatComesOutNamesItsWay) {
 TEST(AccessJson, OfAPartUnderALidTellsTheOrder) {
   const auto json = asked(access::boxedIn(0.002, true), "block");
   EXPECT_FALSE(json["removable"].get<bool>());
-  EXPECT_EQ(json["blocked_by"], nlohmann::json({"lid"}));
-  EXPECT_EQ(json["order"], nlohmann::json({"lid", "block"}));
+  EXPECT_EQ(json["blocked_by"], nlohmann::ordered_json::array({"lid"}));
+  EXPECT_EQ(json["order"], nlohmann::ordered_json::array({"lid", "block"}));
   EXPECT_TRUE(json["order_is_shortest"].get<bool>());
   EXPECT_EQ(json["steps"].size(), 2U);
   bool is_up_blocked_by_lid = false;
   for (const auto& way : json["straight_ways"]) {
     EXPECT_FALSE(way["blocked_by"].empty()) << "no straight way is free";
     if (way["direction"][2].get<double>() < 0.999) continue;
-    is_up_blocked_by_lid = way["blocked_by"] == nlohmann::json({"lid"}) && !way["by_fixed"].get<bool>();
+    is_up_blocked_by_lid = way["blocked_by"] == nlohmann::ordered_json::array({"lid"}) && !way["by_fixed"].get<bool>();
   }
   EXPECT_TRUE(is_up_blocked_by_lid) << json["straight_ways"];
   EXPECT_NE(json["result"].get<std::string>().find("once 1 part"), std::string::npos) << json["result"];

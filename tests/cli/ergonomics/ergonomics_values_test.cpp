@@ -81,7 +81,7 @@ TEST(ErgonomicsReport, GivesScoresWithTheirReasons) {
   EXPECT_EQ(report["score_b"], 1);
   EXPECT_EQ(report["score"], 4);
   EXPECT_FALSE(report["partial"].get<bool>());
-  EXPECT_EQ(report["score_range"], json({4, 4}));
+  EXPECT_EQ(report["score_range"], Ordered::array({4, 4}));
   for (const auto& driver : report["drivers"]) EXPECT_LT(driver["score"], report["score"]) << driver;
   const auto partial = scoredReport(ergonomics::Reba(), *rebaInput({{"scores", {{"neck", 1}}}}));
   EXPECT_TRUE(partial["score"].is_null());
@@ -126,7 +126,7 @@ TEST(ErgonomicsReport, OfSeveralLiftsNamesTheTask) {
   const auto result = ergonomics::compositeLift(input->tasks, input->conditions);
   ASSERT_TRUE(result);
   const auto report = compositeReport(*input, *result);
-  EXPECT_EQ(report["order"], json({2, 1})) << "the heavier one first, counted from 1";
+  EXPECT_EQ(report["order"], Ordered::array({2, 1})) << "the heavier one first, counted from 1";
   ASSERT_EQ(report["tasks"].size(), 2U);
   EXPECT_GE(report["score"].get<double>(), report["tasks"][1]["frequency_independent_index"].get<double>());
   json bad = kLift;
