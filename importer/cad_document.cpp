@@ -29,6 +29,7 @@
 #include "geometry/system/text_case.h"
 #include "geometry/system/unfolding.h"
 #include "importer/step_text.h"
+#include "workcell/scenes/placeholder_name.h"
 #include "workcell/scenes/scene_exchange.h"
 
 namespace hapticell::importer {
@@ -150,7 +151,8 @@ Expected<CadDocument> openIges(const std::string& name, const Message_ProgressRa
 
 class TreeWalker {
  public:
-  explicit TreeWalker(std::string stem) : stem_(std::move(stem)) {}
+  /// `stem` names what has no name at the top; names that say nothing count as none there, but in our own files.
+  TreeWalker(std::string stem, bool is_own_file) : stem_(std::move(stem)), is_own_file_(is_own_file) {}
 
   void add(const TDF_Label& label, int parent) {
     CadNode node;
@@ -162,6 +164,7 @@ class TreeWalker {
     node.name = nameOf(node.definition);
     if (node.name.empty() || (node.name.starts_with(kSharedPart) && !instance.empty())) node.name = instance;
     if (instance != node.name) node.instance = instance;
+    if (parent < 0 && !is_own_file_ && !node.name.empty() && workcell::saysNothing(node.name)) node.replaced.swap(node.name);
     if (node.name.empty() && parent < 0) node.name = stem_;
     if (node.name.empty()) node.name = node.assembly ? "assembly" : "part";
     const auto index = static_cast<int>(nodes.size());
@@ -178,6 +181,7 @@ class TreeWalker {
 
  private:
   std::string stem_;
+  bool is_own_file_;
 };
 
 }  // namespace
@@ -185,12 +189,13 @@ class TreeWalker {
 std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem) {
   TDF_LabelSequence roots;
   XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())->GetFreeShapes(roots);
-  if (roots.Length() == 1 && nameOf(roots.First()) == workcell::kWorkcellRoot) {
+  const bool is_own_file = roots.Length() == 1 && nameOf(roots.First()) == workcell::kWorkcellRoot;
+  if (is_own_file) {
     const TDF_Label around = roots.First();
     roots.Clear();
     XCAFDoc_ShapeTool::GetComponents(around, roots);
   }
-  TreeWalker walker(stem);
+  TreeWalker walker(stem, is_own_file);
   for (const TDF_Label& root : roots) walker.add(root, -1);
   return std::move(walker.nodes);
 }

@@ -39,6 +39,7 @@ struct CadNode {
   TDF_Label definition;  ///< What is used; `label` itself at the top level.
   std::string name;      ///< Of the part; if it has none, that of the use, else a generated one.
   std::string instance;  ///< Of the use, if it differs.
+  std::string replaced;  ///< At the top level: the name in the file, if it says nothing ("Document", "Unnamed").
   int parent = -1;
   bool assembly = false;
 };
@@ -47,7 +48,7 @@ struct CadNode {
 Expected<void> checkTree(const CadDocument& cad);
 
 /// All nodes, parents first. Leaves out the assembly that our own STEP files may have around everything. `stem` names a
-/// nameless part at the top level.
+/// part at the top level that has no name, or one that says nothing.
 std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem);
 
 /// Begins the name of a part in our own STEP files whose uses have different names; each use is then named by itself.

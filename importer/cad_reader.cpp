@@ -18,6 +18,7 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ class CadSceneBuilder {
     const std::vector<CadNode> tree = treeOf(cad, reading_.file.stem().string());
     const auto at_top = std::count_if(tree.begin(), tree.end(), [](const CadNode& node) { return node.parent < 0; });
     total_ = countParts();
+    tellAssumedNames(tree);
     for (const CadNode& node : tree) {
       if (scene_.format == "iges" && at_top > 1 && isLoose(node)) {
         gather(node);
@@ -80,6 +82,15 @@ class CadSceneBuilder {
   }
 
  private:
+  void tellAssumedNames(const std::vector<CadNode>& tree) {
+    std::set<std::string> told;
+    for (const CadNode& node : tree) {
+      if (!node.replaced.empty() && told.insert(node.replaced).second)
+        scene_.warnings.push_back(
+            Text("the name '%1' says nothing; that of the file, '%2', is assumed", node.replaced, node.name));
+    }
+  }
+
   double diagonalOfAll() const {
     TDF_LabelSequence roots;
     shapes_->GetFreeShapes(roots);

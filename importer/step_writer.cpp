@@ -27,6 +27,7 @@
 #include "importer/cad_document.h"
 #include "importer/faceted_shape.h"
 #include "importer/shape_mesher.h"
+#include "workcell/scenes/placeholder_name.h"
 #include "workcell/scenes/scene_exchange.h"
 
 namespace hapticell::importer {
@@ -127,8 +128,10 @@ class StepBuilder {
   }
 
   Expected<CadDocument> build() {
-    // A root that is moved needs something to stand in; so do several of them.
-    const bool plain = roots_.size() == 1 && isIdentity(scene_.nodes[roots_[0]].X_PN);
+    // A root that is moved needs something to stand in; so do several of them, and one whose name other files would not
+    // mean.
+    const bool plain = roots_.size() == 1 && isIdentity(scene_.nodes[roots_[0]].X_PN) &&
+                       !workcell::saysNothing(scene_.nodes[roots_[0]].name);
     if (plain) {
       HAPTICELL_TRY(define(roots_[0]));
     } else {

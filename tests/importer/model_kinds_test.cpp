@@ -13,6 +13,7 @@
 #include "tests/support/test_data.h"
 #include "workcell/files/archive.h"
 #include "workcell/files/scene_export.h"
+#include "workcell/import/entity_source.h"
 #include "workcell/scenes/import_scene.h"
 #include "workcell/scenes/scene_batch.h"
 #include "workcell/text/content_rules.h"
@@ -470,6 +471,56 @@ TEST_F(ModelKinds, WhatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
   }
   EXPECT_EQ(told.warnings.size(), 3u);
   expectBounds(told, {0, 0, 0}, {0.01, 0.02, 0.03}, 1e-7);
+}
+
+TEST_F(ModelKinds, AProductWhoseNameSaysNothingIsCalledAsItsFile) {
+  for (const char* product : {"Document", "unnamed", "UNNAMED", "Unnamed1", "the product name", "-", "Untitled 2"}) {
+    const auto scene = read("bracket.step", stepOf(product));
+    EXPECT_TRUE(hasNode(scene, "bracket")) << product;
+    EXPECT_FALSE(hasNode(scene, product)) << product;
+    ASSERT_EQ(scene.warnings.size(), 1u) << product;
+    EXPECT_THAT(english(scene.warnings.front()), HasSubstr("'bracket', is assumed")) << product;
+  }
+  for (const char* product : {"", "NONE", "Open CASCADE STEP translator 7.6 1"})
+    EXPECT_TRUE(hasNode(read("bracket.step", stepOf(product)), "bracket")) << product;
+  for (const char* product : {"Documentation tray", "4711", "Default bracket"})
+    EXPECT_TRUE(hasNode(read("bracket.step", stepOf(product)), product)) << product;
+  // One that the user called so keeps its name in our own files.
+  auto own = read("own.step", stepOf("box"));
+  own.nodes.at(0).name = "Document";
+  Diagnostics notes;
+  ASSERT_TRUE(exportScene(own, folder_.path() / "bracket.step", {}, notes));
+  const auto again = readScene(folder_.path() / "bracket.step", {}, nullptr);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(hasNode(*again, "Document"));
+  EXPECT_TRUE(again->warnings.empty());
+}
+
+TEST_F(ModelKinds, ADocumentFindsAPartBelowATopWhoseNameSaidNothing) {
+  auto scene = read("box.step", stepOf("a"));
+  SceneNode other = scene.nodes.at(0), top;
+  top.name = "NAME_OF_TOP";
+  other.name = "b";
+  other.X_PN = Pose::translation({0.1, 0.0, 0.0});
+  scene.nodes = {top, scene.nodes.at(0), other};
+  scene.nodes[1].parent = scene.nodes[2].parent = 0;
+  Diagnostics notes;
+  ASSERT_TRUE(exportScene(scene, folder_.path() / "two.step", {}, notes));
+  std::string text = readFileContent(folder_.path() / "two.step").value_or("");
+  for (std::size_t at = text.find(top.name); at != std::string::npos; at = text.find(top.name, at + 1))
+    text.replace(at, top.name.size(), "Document");
+  const fs::path file = folder_.write("tray.step", text);
+  SourceFile source;
+  source.path = file.string();
+  EntityLoader loader(folder_.path());
+  for (const char* part : {"tray/b", "Document/b"}) {  // As it is now, and as release 0.2 wrote it.
+    source.part = part;
+    const auto found = loader.loadSource(source, notes);
+    ASSERT_TRUE(found) << part << ": " << found.error().message();
+    EXPECT_EQ(found->source.part, "tray/b");
+  }
+  source.part = "Bracket/b";
+  EXPECT_FALSE(loader.loadSource(source, notes)) << "another name is another part";
 }
 
 TEST_F(ModelKinds, StepBehindAMarkACommentOrPacked) {

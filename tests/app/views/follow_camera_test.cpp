@@ -2,7 +2,10 @@
 // The view that goes along: with a robot's tool, through a mannequin's eyes; and the whole screen for the window.
 #include <gtest/gtest.h>
 
+#include <QAction>
+
 #include "app/controls/pose_text.h"
+#include "app/host/message_log.h"
 #include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/posture/vision.h"

@@ -17,15 +17,18 @@
 #include "workcell/scenes/import_monitor.h"
 #include "workcell/scenes/import_scene.h"
 #include "workcell/scenes/packed_bytes.h"
+#include "workcell/scenes/placeholder_name.h"
 #include "workcell/scenes/scene_call.h"
 #include "workcell/scenes/scene_exchange.h"
 #include "workcell/scenes/sdf_content.h"
 #include "workcell/scenes/sdf_exchange.h"
 #include "workcell/scenes/sdf_files.h"
+#include "workcell/scenes/sdf_joints.h"
 #include "workcell/scenes/sdf_population.h"
 #include "workcell/scenes/sdf_robot.h"
 #include "workcell/scenes/sdf_source.h"
 #include "workcell/scenes/sdf_tidier.h"
+#include "workcell/scenes/sdf_values.h"
 #include "workcell/scenes/sdf_xml.h"
 #include "workcell/scenes/whole_mesh.h"
 
@@ -256,6 +259,119 @@ TEST(SdfXml, RefusesOtherFiles) {
   std::string deep = "<sdf>";
   for (int k = 0; k < 300; ++k) deep += "<a>";
   EXPECT_FALSE(isRead(folder.write("d.sdf", deep)));
+}
+
+TEST(SdfXml, ASecondFileTakesThePlaceOfTheFirst) {
+  const hapticell::test::TemporaryFolder folder;
+  TiXmlDocument document;
+  ASSERT_TRUE(parseSdf(folder.write("a.sdf", "<sdf version='1.6'><model name='first'/></sdf>"), document));
+  const auto root = parseSdf(folder.write("b.sdf", "<sdf version='1.6'><model name='second'/></sdf>"), document);
+  ASSERT_TRUE(root);
+  EXPECT_EQ(attributeOf(*(*root)->FirstChildElement("model"), "name"), "second");
+  EXPECT_FALSE(parseSdf(folder.write("c.sdf", "<sdf version='1.6'><model"), document));
+  EXPECT_TRUE(parseSdf(folder.write("d.sdf", "<sdf version='1.6'/>"), document)) << "an error is not kept";
+}
+
+TEST(PlaceholderName, IsWhatProgramsWriteInPlaceOfAName) {
+  for (const char* name : {"", "  ", "-", "Document", "UNNAMED", "Unnamed1", "untitled 2", "the product name", "None."})
+    EXPECT_TRUE(saysNothing(name)) << name;
+  for (const char* name : {"bracket", "4711", "Default bracket", "Documents", "\xC3\x84", "unknown part"})
+    EXPECT_FALSE(saysNothing(name)) << name;
+}
+
+TEST(SdfValues, AreMadeAsTheLibraryAcceptsThem) {
+  std::vector<std::string> told;
+  const TellSdf tell = [&](const Text& what) { told.push_back(english(what)); };
+  const auto element = [](const std::string& text) {
+    TiXmlDocument document;
+    document.Parse(text.c_str());
+    return TiXmlElement(*document.RootElement());
+  };
+  TiXmlElement pose = element("<pose>1 2 3</pose>");
+  EXPECT_TRUE(keepSdfPose(pose, tell));
+  EXPECT_EQ(textOf(pose), "1 2 3 0 0 0");
+  TiXmlElement turned = element("<pose rotation_format='quat_xyzw'>0 0 0 0 0 0 0</pose>");
+  EXPECT_TRUE(keepSdfPose(turned, tell));
+  EXPECT_EQ(textOf(turned), "0 0 0 0 0 0 1");
+  ASSERT_THAT(told, SizeIs(2));
+  EXPECT_THAT(told[0], HasSubstr("3 numbers instead of 6"));
+  EXPECT_THAT(told[1], HasSubstr("length 0"));
+
+  TiXmlElement size = element("<size>1 2 3 4</size>"), lower = element("<lower>-inf</lower>");
+  EXPECT_FALSE(keepSdfNumbers(size, tell));
+  EXPECT_THAT(told.back(), HasSubstr("instead of 3 numbers"));
+  EXPECT_TRUE(keepSdfNumbers(lower, tell));
+  EXPECT_EQ(numbersIn(textOf(lower)).at(0), -1e16);
+  EXPECT_EQ(sdfNumbersOf("size"), 3u);
+  EXPECT_EQ(sdfNumbersOf("link"), 0u);
+  EXPECT_EQ(sdfTextOf({0.1, 2.0}), "0.10000000000000001 2");
+
+  TiXmlElement word = element("<center>TRUE</center>"), other = element("<center>perhaps</center>");
+  EXPECT_TRUE(keepSdfWord(word));
+  EXPECT_EQ(textOf(word), "true");
+  EXPECT_FALSE(keepSdfWord(other));
+  EXPECT_TRUE(keepSdfShape(element("<geometry><sphere><radius>1</radius></sphere></geometry>"), tell));
+  EXPECT_FALSE(keepSdfShape(element("<geometry><cylinder><radius>1</radius></cylinder></geometry>"), tell));
+  EXPECT_THAT(told.back(), HasSubstr("<cylinder> without size"));
+}
+
+TEST(SdfJoints, ABallIsThreeJointsAndAMimicFollowsWhatIsThere) {
+  kinematics::JointGraph graph;
+  graph.links.resize(3);
+  for (int k = 0; k < 3; ++k) graph.links[static_cast<std::size_t>(k)].link.name = "l" + std::to_string(k);
+  const fs::path file("robot.sdf");
+  Diagnostics notes;
+  SdfJointReader joints(graph, file, notes);
+  const auto add = [&](const SdfJoint& source, int parent) {
+    kinematics::GraphJoint joint;
+    joint.joint.name = source.name;
+    joint.joint.parent_link = parent;
+    joint.joint.child_link = parent + 1;
+    return joints.add(source, joint, "", Pose(), Text("joint '%1'", source.name));
+  };
+  SdfJointAxis axis;
+  axis.xyz_M = {0, 0, 2};
+  axis.lower = -1.0;
+  axis.upper = 1e16;
+  SdfJoint turning, ball, odd;
+  turning.name = "turning";
+  turning.type = SdfJoint::Type::kRevolute;
+  turning.axes = {axis, std::nullopt};
+  ball.name = "ball";
+  ball.type = SdfJoint::Type::kBall;
+  odd.name = "odd";
+  ASSERT_TRUE(add(turning, 0));
+  ASSERT_THAT(graph.joints, SizeIs(1));
+  EXPECT_EQ(graph.joints[0].joint.lower, -1.0);
+  EXPECT_TRUE(std::isinf(graph.joints[0].joint.upper)) << "SDF's word for no limit";
+  ASSERT_TRUE(add(ball, 1));
+  EXPECT_THAT(graph.joints, SizeIs(4));
+
+  SdfJoint follower = turning;
+  follower.name = "follower";
+  SdfMimic mimic;
+  mimic.joint = "turning";
+  mimic.multiplier = 2.0;
+  mimic.offset = 0.5;
+  mimic.reference = 0.25;
+  follower.axes[0]->mimic = mimic;
+  ASSERT_TRUE(add(follower, 1));
+  SdfJoint astray = turning;
+  astray.name = "astray";
+  mimic.joint = "nowhere";
+  astray.axes[0]->mimic = mimic;
+  ASSERT_TRUE(add(astray, 1));
+  joints.setMimics();
+  ASSERT_TRUE(graph.joints[4].joint.mimic.has_value());
+  EXPECT_EQ(graph.joints[4].joint.mimic->joint, 0);
+  EXPECT_EQ(graph.joints[4].joint.mimic->offset, 0.5 - 2.0 * 0.25);
+  ASSERT_THAT(notes.warnings, SizeIs(1));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("'nowhere', which does not exist"));
+
+  const auto refused = add(odd, 0);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("unknown joint type"));
+  EXPECT_EQ(sdfRefusal(file, "here", "this", "that").file, "robot.sdf");
 }
 
 Population settled(const std::string& text) {
