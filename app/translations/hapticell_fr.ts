@@ -2319,8 +2319,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>--to</translation>
     </message>
     <message>
-        <source>--to, --to-joints, --out</source>
-        <translation>--to, --to-joints, --out</translation>
+        <source>--to, --to-frame, --to-joints, --out</source>
+        <translation>--to, --to-frame, --to-joints, --out</translation>
     </message>
     <message>
         <source>--tolerance, --angle-tolerance</source>
@@ -12693,6 +12693,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a frame of an entity</source>
         <translation>un repère d'une entité</translation>
+    </message>
+    <message>
+        <source>a frame of the cell or of an entity</source>
+        <translation>un repère de la cellule ou d’une entité</translation>
     </message>
     <message>
         <source>a frame of the cell, an entity, or ENTITY/FRAME for a frame of an entity</source>

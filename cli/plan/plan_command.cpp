@@ -27,7 +27,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct PlanOptions {
-  std::string workcell, entity, to, to_joints, through, output;
+  std::string workcell, entity, to, to_frame, to_joints, through, output;
+  std::vector<std::string> through_frames;
   bool out = false;
   double clearance = 0.005, time = 10.0;
   int seed = 1, jobs = 0;
@@ -67,12 +68,23 @@ Expected<Pose> poseOf(const std::string& option, const std::string& text) {
   return pose;
 }
 
-Expected<planning::Goal> goalOf(const PlanOptions& options) {
-  const int given = (options.to.empty() ? 0 : 1) + (options.to_joints.empty() ? 0 : 1) + (options.out ? 1 : 0);
-  if (given != 1)
-    return makeError({.place = "--to, --to-joints, --out",
-                      .found = Text("%1 goals", given),
-                      .expected = "exactly one of these options"});
+/// The pose of a frame of the cell, of an entity's frame, or of an entity, by its name.
+Expected<Pose> framePose(const std::string& option, const std::string& name, const planning::Problem& problem) {
+  const auto found = problem.scene->findFrame(name);
+  if (found.entity == nullptr)
+    return makeError({.place = Text(option),
+                      .found = Text("no frame is named '%1'", name),
+                      .expected = "a frame of the cell or of an entity"});
+  return found.entity->X_WE * found.X_EF;
+}
+
+/// `problem` has its scene, for frames.
+Expected<planning::Goal> goalOf(const PlanOptions& options, const planning::Problem& problem) {
+  if (!options.to_frame.empty()) {
+    const auto pose = framePose("--to-frame", options.to_frame, problem);
+    HAPTICELL_TRY(pose);
+    return planning::Goal(planning::goal::ToPose{*pose});
+  }
   if (options.out) return planning::Goal(planning::goal::OutOfCell{});
   if (!options.to_joints.empty()) {
     auto joints = numbersOf("--to-joints", options.to_joints);
@@ -84,17 +96,26 @@ Expected<planning::Goal> goalOf(const PlanOptions& options) {
   return planning::Goal(planning::goal::ToPose{*pose});
 }
 
-Expected<planning::Problem> problemOf(const PlanOptions& options) {
-  auto goal = goalOf(options);
-  HAPTICELL_TRY(goal);
+/// What can be said of the options without the cell.
+Expected<void> checkOptions(const PlanOptions& options) {
+  const auto count = [](const std::string& option) { return option.empty() ? 0 : 1; };
+  const int given = count(options.to) + count(options.to_frame) + count(options.to_joints) + (options.out ? 1 : 0);
+  if (given != 1)
+    return makeError({.place = "--to, --to-frame, --to-joints, --out",
+                      .found = Text("%1 goals", given),
+                      .expected = "exactly one of these options"});
   if (const auto extension = std::filesystem::path(options.output).extension();
       extension != ".htraj" && extension != ".csv")
     return makeError({.file = options.output,
                       .place = "--output",
                       .found = Text("the extension '%1'", extension.string()),
                       .expected = ".htraj or .csv"});
+  return {};
+}
+
+Expected<planning::Problem> problemOf(const PlanOptions& options) {
+  HAPTICELL_TRY(checkOptions(options));
   planning::Problem problem;
-  problem.goal = std::move(*goal);
   problem.clearance = options.clearance;
   problem.seed = static_cast<std::uint64_t>(options.seed);
   problem.time_limit_s = options.time;
@@ -119,6 +140,14 @@ Expected<planning::Problem> problemOf(const PlanOptions& options) {
   }
   problem.entity = entity->id;
   problem.scene = manipulation::SceneService().prepare(manipulation::sourceOf(*document, {}));
+  auto goal = goalOf(options, problem);
+  HAPTICELL_TRY(goal);
+  problem.goal = std::move(*goal);
+  for (const std::string& name : options.through_frames) {
+    const auto pose = framePose("--through-frame", name, problem);
+    HAPTICELL_TRY(pose);
+    problem.through.push_back(*pose);
+  }
   return problem;
 }
 
@@ -224,9 +253,12 @@ void addPlanCommand(Subcommand app, Action& chosen) {
   command.option("--entity", options->entity, "Robot, mechanism or solid that moves").required();
   command.option("--to", options->to,
                  "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, or of a solid's frame, in the cell");
+  command.option("--to-frame", options->to_frame, "Goal: this frame of the cell or of an entity, by its name");
   command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
   command.flag("--out", options->out, "Goal: the solid out of the box around everything else");
   command.option("--through", options->through, "Poses that the motion passes, in this order").takes(ValueKind::kTable);
+  command.option("--through-frame", options->through_frames,
+                 "Frames by their names that the motion passes, in this order, after the poses of --through");
   command.option("--clearance", options->clearance, "Clearance that the motion keeps from the cell, m (default: 0.005)")
       .within(0.0, 10.0);
   command.option("--seed", options->seed, "Equal seeds give equal motions (default: 1)").withinWhole(0, 2'000'000'000);

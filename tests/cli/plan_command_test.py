@@ -127,6 +127,29 @@ def test_a_motion_passes_given_poses(folder):
         assert nearest < 5e-3, (place, nearest)
 
 
+def test_a_motion_passes_frames_by_their_names(folder):
+    box_cell(folder)
+    cell = json.loads((folder / "box.hcell").read_text())
+    left = next(one for one in cell["entities"] if one["name"] == "left")
+    # Of the box at -0.16, 0, 0.15.
+    left["frames"] = [{"name": name, "placement": {"position": place, "quaternion": [1, 0, 0, 0]}}
+                      for name, place in (("over", [0.16, 0, 0.45]), ("beside", [0.66, 0, 0.45]), ("end", [0.66, 0, -0.05]))]
+    (folder / "box.hcell").write_text(json.dumps(cell))
+    answer = plan("--workcell", "box.hcell", "--entity", "bar", "--to-frame", "end", "--through-frame", "over",
+                  "--through-frame", "beside", "-o", "way.csv", folder=folder)
+    assert answer["solved"], answer
+    rows = [[float(word) for word in line.split(",")[1:4]] for line in (folder / "way.csv").read_text().splitlines()[1:]]
+    met = []
+    for place in ((0, 0, 0.6), (0.5, 0, 0.6), (0.5, 0, 0.1)):
+        apart = [max(abs(a - b) for a, b in zip(row, place)) for row in rows]
+        met.append(apart.index(min(apart)))
+        assert min(apart) < 5e-3, (place, min(apart))
+    assert met == sorted(met) and met[-1] == len(rows) - 1, met
+    said = run("plan", "--workcell", "box.hcell", "--entity", "bar", "--out", "--through-frame", "door", "-o", "no.csv",
+               folder=folder, expect=2).stderr
+    assert "'door'" in said, said
+
+
 def test_an_unreachable_goal_is_explained(folder):
     robot_cell(folder)
     answer = plan("--workcell", "cell.hcell", "--entity", "robot", "--to", "3,0,0.5,1,0,0,0", "-o", "no.htraj", folder=folder,
