@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hand that only knows the straight way, a planner, and both together: how often and how soon they solve a move.
 //
-// usage: assisted_bench [extraction] [puzzle] [pipe] [robot] [runs=10] [limit=40] [full]
+// usage: assisted_bench [extraction] [puzzle] [pipe] [robot] [runs=10] [first=1] [limit=40] [full] [together]
+// together: only hand and planner, without either alone.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -58,8 +59,9 @@ constexpr double kCheckTime = 100e-6;
 constexpr std::size_t kMostChecks = 400'000;
 
 struct Limits {
-  int runs = 10;
+  int runs = 10, first = 1;
   double seconds = 40.0;
+  bool alone = true;  ///< Also the hand alone and the planner alone.
 };
 
 void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
@@ -112,31 +114,38 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   }
 }
 
+/// The planner alone, as the command plan does it.
+void planAlone(const AssistedScene& scene, std::uint64_t seed, double limit, Tried& tried) {
+  planning::Problem problem;
+  problem.scene = manipulation::PreparedScene::prepare(scene.entities, scene.pairs, {});
+  problem.entity = problem.scene->find(scene.entity)->id;
+  problem.goal = scene.goal;
+  problem.clearance = scene.clearance;
+  problem.seed = seed;
+  problem.time_limit_s = limit;
+  problem.most_checks = 100'000'000;
+  const auto planned = planning::plan(problem);
+  if (!planned) {
+    std::fprintf(stderr, "%s\n", planned.error().message().c_str());
+    std::exit(2);
+  }
+  tried.add(planned->isSolved(), planned->seconds);
+  if (!planned->isSolved() && std::getenv("ASSISTED_TELLS"))
+    std::fprintf(stderr, "  planner, seed %llu: %s\n", static_cast<unsigned long long>(seed),
+                 english(planned->failure->reason).c_str());
+}
+
 void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limits& limits) {
   Tried hand, planner, both;
   std::string name;
   for (int run = 0; run < limits.runs; ++run) {
-    const auto seed = static_cast<std::uint64_t>(run) + 1;
+    const auto seed = static_cast<std::uint64_t>(run + limits.first);
     const AssistedScene scene = make(seed);
     name = scene.name;
-    // The planner alone, as the command plan does it.
-    planning::Problem problem;
-    problem.scene = manipulation::PreparedScene::prepare(scene.entities, scene.pairs, {});
-    problem.entity = problem.scene->find(scene.entity)->id;
-    problem.goal = scene.goal;
-    problem.clearance = scene.clearance;
-    problem.seed = seed;
-    problem.time_limit_s = limits.seconds;
-    problem.most_checks = 100'000'000;
-    const auto planned = planning::plan(problem);
-    if (!planned) {
-      std::fprintf(stderr, "%s\n", planned.error().message().c_str());
-      std::exit(2);
+    if (limits.alone) {
+      planAlone(scene, seed, limits.seconds, planner);
+      handle(scene, seed, limits.seconds, std::make_shared<GoalOnly>(scene.goal), hand);
     }
-    planner.add(planned->isSolved(), planned->seconds);
-    if (!planned->isSolved() && std::getenv("ASSISTED_TELLS"))
-      std::fprintf(stderr, "  planner, seed %llu: %s\n", static_cast<unsigned long long>(seed), english(planned->failure->reason).c_str());
-    handle(scene, seed, limits.seconds, std::make_shared<GoalOnly>(scene.goal), hand);
     planning::LiveOptions live;
     live.goal = scene.goal;
     live.clearance = scene.clearance;
@@ -144,14 +153,22 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     live.most_checks = kMostChecks;
     live.in_virtual_time = true;
     live.cost_s = [](const planning::PlanResult& result) { return kCheckTime * static_cast<double>(result.checks); };
-    handle(scene, seed, limits.seconds, std::make_shared<planning::LivePlanner>(std::move(live)), both);
+    const auto planner_beside = std::make_shared<planning::LivePlanner>(std::move(live));
+    handle(scene, seed, limits.seconds, planner_beside, both);
+    if (std::getenv("ASSISTED_TELLS")) {
+      const planning::LivePlanner::Figures figures = planner_beside->figures();
+      std::fprintf(stderr, "  seed %llu: %llu searches, %llu found, %llu given%s%s\n",
+                   static_cast<unsigned long long>(seed), static_cast<unsigned long long>(figures.searches),
+                   static_cast<unsigned long long>(figures.found), static_cast<unsigned long long>(figures.given),
+                   figures.failure ? ": " : "", figures.failure ? english(figures.failure->reason).c_str() : "");
+    }
     std::fprintf(stderr, "%s %d: planner %d, hand %d, both %d of %d\n", name.c_str(), run + 1, planner.solved,
                  hand.solved, both.solved, run + 1);
   }
   const auto cell = [&](Tried& tried) {
     char text[64];
     std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
-    return std::string(text);
+    return tried.runs > 0 ? std::string(text) : std::string("-");
   };
   std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(), cell(hand).c_str(),
               cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / both.runs,
@@ -171,6 +188,8 @@ int main(int argc, char** argv) {
   for (const std::string& word : words) {
     if (word == "full") limits.runs = 100;
     else if (word.starts_with("runs=")) limits.runs = std::max(1, std::atoi(word.c_str() + 5));
+    else if (word.starts_with("first=")) limits.first = std::max(1, std::atoi(word.c_str() + 6));
+    else if (word == "together") limits.alone = false;
     else if (word.starts_with("limit=")) limits.seconds = std::max(1.0, std::atof(word.c_str() + 6));
     else wanted.push_back(word);
   }

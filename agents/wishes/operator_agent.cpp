@@ -13,6 +13,12 @@ OperatorAgent::OperatorAgent(std::unique_ptr<SimulatedHand> hand) : hand_(std::m
 OperatorAgent::~OperatorAgent() = default;
 
 void OperatorAgent::wish(const AgentView& view, Wish& wish) {
+  if (hand_ && view.way != nullptr) {
+    // Who has handed over lets the planner lead: pulling on at three times its weight is what nothing came of.
+    hand_->beLed();
+    hand_velocity_.reset();
+    return;
+  }
   if (hand_) hand_velocity_ = hand_->velocity(view);
   if (!hand_velocity_) return;
   const bool with_turn = view.goal.q_WG.has_value() || view.body.figure() == nullptr;

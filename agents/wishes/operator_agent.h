@@ -10,7 +10,8 @@ namespace hapticell::agents {
 
 class SimulatedHand;
 
-/// The operator among the agents: the motion of a hand, of a person at the stylus or of a simulated one.
+/// The operator among the agents: the motion of a hand, of a person at the stylus or of a simulated one. The simulated
+/// one wishes nothing while a planner's way is followed.
 class OperatorAgent final : public Agent {
  public:
   /// Without a hand: moves nothing until setHand().

@@ -107,4 +107,10 @@ void SimulatedHand::drawBack(const AgentView& view) {
   looked_at_ = -1.0;
 }
 
+void SimulatedHand::beLed() {
+  over_.reset();
+  tried_.clear();
+  back_until_ = looked_at_ = -1.0;
+}
+
 }  // namespace hapticell::agents

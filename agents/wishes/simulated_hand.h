@@ -27,6 +27,8 @@ class SimulatedHand {
   Twist velocity(const AgentView& view);
   /// Nothing moves: it chooses another way.
   void drawBack(const AgentView& view);
+  /// Something else leads: afterwards it looks again and chooses from where it then is.
+  void beLed();
 
  private:
   void choose(const AgentView& view);

@@ -30,7 +30,7 @@ namespace hapticell::app {
 
 namespace {
 
-enum Page { kTable, kScatter, kParallel };
+enum Page { kTablePage, kScatterPage, kParallelPage };
 constexpr int kRowHeight = 22;
 
 QPushButton* makeResultsButton(const char* name, const QString& text) {
@@ -77,7 +77,7 @@ void ResultsPanel::addBars(QVBoxLayout& column) {
   kind_ = new Segmented({tr("Table"), tr("Scatter"), tr("Parallel")});
   kind_->setObjectName("segmentsResults");
   kind_->setAccessibleName(tr("View of the results"));
-  kind_->setCurrent(kTable);
+  kind_->setCurrent(kTablePage);
   across_ = makeColumnChoice("choiceAcross", tr("Result on the horizontal axis"));
   up_ = makeColumnChoice("choiceUp", tr("Result on the vertical axis"));
   color_ = makeColumnChoice("choiceColor", tr("Result shown as colour in map and lines"));
@@ -235,8 +235,8 @@ void ResultsPanel::exportTable() {
 
 void ResultsPanel::refresh() {
   const bool any = !table_.isEmpty(), chosen = table_.chosen().has_value();
-  across_->setVisible(pages_->currentIndex() == kScatter);
-  up_->setVisible(pages_->currentIndex() == kScatter);
+  across_->setVisible(pages_->currentIndex() == kScatterPage);
+  up_->setVisible(pages_->currentIndex() == kScatterPage);
   export_->setEnabled(any);
   const QString obstacle = view_.obstacle();
   use_->setEnabled(chosen && obstacle.isEmpty() && !view_.isPreparing());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "manipulation/engine/cell_state.h"
 #include "manipulation/engine/hand_mapping.h"
@@ -20,6 +21,9 @@ namespace hapticell::manipulation {
 /// in the tube. The *authority* (0 to 1) is the user's, times a share that falls to 0 where the hand insists: out of the
 /// tube for half a second. The planner then gets the place where the hand pushes; with its answer the share comes back. As most
 /// devices cannot turn the wrist, the entity is turned towards the way's orientation, as fast as the authority says.
+/// A robot (a way with joints) is in the same measure kept within a quarter of the clearance from its way while the hand
+/// wanders in the tube: at a scale of 20 a centimetre of hand is 20 cm of the cell. It waits on the way for its turning,
+/// and leans towards the joints of the plan. The pull and the insisting go by the hand.
 ///
 /// A new way is not felt as a jump: the point that pulls runs to the new way at a limited speed, and the renderer takes
 /// out what is left (haptic::PullBlend). Manipulation thread only.
@@ -44,7 +48,9 @@ class FeltPlan {
 
   /// A step with `held` at its accepted configuration, before it follows the hand: tells the planner, takes its newest
   /// way, and turns the entity (in `hand`). X_DP: the proxy. True: the newest set says something else by now.
-  bool step(const HeldEntity& held, HandMapping& hand, const Pose& X_DP, const CellState& cell);
+  bool step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const CellState& cell);
+  /// The hand has been anchored again: it and the entity are at the same place again.
+  void anchored() { shift_W_ = dvec3(0.0); }
   /// Adds the pull to a set about the accepted configuration.
   void addTo(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping) const;
 
@@ -53,7 +59,12 @@ class FeltPlan {
  private:
   void look(const HeldEntity& held, const CellState& cell, double scale);
   void adopt(const Pose& X_WM);
-  void watchHand(const Pose& X_WM, double scale, double dt);
+  void watchHand(const dvec3& p_WH, double scale, double dt);
+  dvec3 directionAt(double way) const;
+  dvec3 keptOnWay(const dvec3& p_WH, bool waits, double step) const;
+  bool lean(HeldEntity& held, double dt) const;
+  void keepOnWay(bool waits, HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt);
+  dvec3 gentle(const dvec3& way_W, HeldEntity& held, double scale, double dt);
   double aheadOn(double scale) const;
   dvec3 wantedPoint(double scale) const;
   bool turn(const HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt) const;
@@ -65,6 +76,8 @@ class FeltPlan {
   PlanView view_;
   bool leads_ = false;      ///< There is a point that pulls.
   dvec3 p_WT_{0.0};         ///< It.
+  dvec3 shift_W_{0.0};      ///< m: from the entity's target to where the hand alone would have it.
+  std::vector<FreeMotion::PairDistance> near_;  // Scratch.
   double outside_s_ = 0.0;  ///< s that the hand has been out of the tube.
 };
 

@@ -37,6 +37,8 @@ class HandMapping {
   void anchorToView() { mapping_.anchor(Pose::identity(), Pose::translation(camera_.p_WFocus)); }
   /// See MotionMapping::turn().
   void turn(const dquat& q_W, const Pose& X_DP) { mapping_.turn(q_W, X_DP); }
+  /// See MotionMapping::shift().
+  void shift(const dvec3& way_W) { mapping_.shift(way_W); }
   void lookFrom(const Pose& X_DP) { mapping_.lookFrom(X_DP); }
 
   /// Whether the hand moves without the entity, by the command or by the button.

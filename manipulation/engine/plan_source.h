@@ -17,6 +17,8 @@ struct PlannedWay {
   std::uint64_t number = 0;   ///< Increases from way to way, from 1.
   std::uint64_t answers = 0;  ///< PlanView::insistences that this way takes into account.
   std::vector<Pose> X_WM;     ///< The moved frame, at least two poses, the last one at the goal. Straight between.
+  std::vector<std::vector<double>> joints = {};  ///< Of a robot, for each of X_WM (rad or m); a solid: empty.
+  double clearance = 0.002;                      ///< m that it keeps from everything.
 };
 
 /// Where the entity went in the user's hand, in steps of a few millimetres; the last is the newest.

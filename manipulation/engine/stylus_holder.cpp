@@ -100,6 +100,7 @@ void StylusHolder::updateMapping() {
 }
 
 void StylusHolder::anchor() {
+  plan_.anchored();
   sets_.want();
   if (held())
     hand_.anchor(input_.state() ? input_.state()->X_DP : Pose::identity(), held()->movedFrame());

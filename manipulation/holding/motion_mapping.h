@@ -46,6 +46,8 @@ class MotionMapping {
   double rotationScale() const { return rotation_scale_; }
   bool translates() const { return translates_; }
   bool rotates() const { return rotates_; }
+  /// No axis of translation is switched off.
+  bool translatesFreely() const { return translates_ && kept_ == dvec3(1.0); }
 
   /// From now on the stylus at X_DA corresponds to the moved frame at X_WA. Call it after setAxes, setScale and
   /// setFilter.
@@ -53,6 +55,9 @@ class MotionMapping {
 
   /// Moves the anchor back by `motion_D`, so that the held entity moves on by it.
   void drift(const dvec3& motion_D) { X_DA_.p -= motion_D; }
+
+  /// Moves the anchor so that the moved frame's target for any stylus pose is moved by `way_W` (m, world).
+  void shift(const dvec3& way_W) { X_WA_.p += way_W; }
 
   /// Turns the anchor so that the moved frame's target for the stylus (or proxy) at X_DP is turned by `q_W` about its
   /// origin.

@@ -130,6 +130,8 @@ struct LivePlanner::Worker {
     way->number = ++figures.given;
     way->answers = found.answers;
     way->X_WM = std::move(found.X_WM);
+    way->joints = std::move(found.joints);
+    way->clearance = options.clearance;
     given = std::move(way);
     best_left = found.length;
     best_ns = now.time_ns;

@@ -110,22 +110,29 @@ std::vector<EntityConfiguration> WaySearch::hintsFor(const manipulation::PlanVie
 
 /// Poses of the moved frame; a robot's tool goes in arcs between waypoints.
 void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const Pose& X_TM, Found& found) const {
-  const auto add = [&](const Pose& X_WT) {
-    const Pose X_WM = X_WT * X_TM;
+  const auto add = [&](const EntityConfiguration& at) {
+    const Pose X_WM = space_->toolAt(at) * X_TM;
     const double way = found.X_WM.empty() ? 0.0 : wayBetween(found.X_WM.back(), X_WM);
-    if (!found.X_WM.empty() && way < 1e-6) return;
+    if (!found.X_WM.empty() && way < 1e-6) {
+      // The arm moves behind a tool at rest: it is to get there before the tool goes on.
+      if (space_->hasJoints()) found.joints.back() = at.joints;
+      return;
+    }
     found.length += way;
     found.X_WM.push_back(X_WM);
+    if (space_->hasJoints()) found.joints.push_back(at.joints);
   };
-  add(space_->toolAt(waypoints.front()));
+  add(waypoints.front());
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const double bound = space_->hasJoints() ? space_->pathBound(waypoints[i - 1], waypoints[i]) : 0.0;
     const int pieces = std::clamp(static_cast<int>(std::ceil(bound / kArcStep)), 1, 200);
     for (int k = 1; k <= pieces; ++k) {
-      add(space_->toolAt(space_->between(waypoints[i - 1], waypoints[i], static_cast<double>(k) / pieces)));
+      add(space_->between(waypoints[i - 1], waypoints[i], static_cast<double>(k) / pieces));
     }
   }
-  if (found.X_WM.size() < 2) found.X_WM.clear();
+  if (found.X_WM.size() >= 2) return;
+  found.X_WM.clear();
+  found.joints.clear();
 }
 
 WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::atomic<bool>* stop) {

@@ -22,6 +22,7 @@ class WaySearch {
   struct Found {
     PlanResult result;
     std::vector<Pose> X_WM;     ///< Empty: no way.
+    std::vector<std::vector<double>> joints;  ///< As PlannedWay::joints.
     double length = 0.0;        ///< m, with 0.1 m a radian.
     std::uint64_t answers = 0;  ///< As PlannedWay::answers.
   };

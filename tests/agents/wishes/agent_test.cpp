@@ -9,6 +9,7 @@
 #include "agents/task/agent_section.h"
 #include "agents/wishes/agent_makers.h"
 #include "agents/wishes/figure_need.h"
+#include "agents/wishes/followed_way.h"
 #include "agents/wishes/operator_agent.h"
 #include "agents/wishes/seeded_numbers.h"
 #include "agents/wishes/simulated_hand.h"
@@ -235,6 +236,28 @@ TEST(Agents, AnOperatorsHandIsFollowedUntilItGoesAway) {
   EXPECT_LT(glm::length(made - dvec3(0.1, 0.0, 0.0)), 0.02);
   hand.setHand({});
   EXPECT_TRUE(stage.ask(hand).v.empty());
+}
+
+TEST(Agents, ASimulatedOperatorLetsAPlannersWayLead) {
+  const Stage stage({test::arm()}, bodyOf(test::arm()), "operator", {0.8, 0.0, 0.3});
+  const auto agent = stage.make();
+  ASSERT_TRUE(agent);
+  EXPECT_FALSE(stage.ask(*agent->agent).v.empty());
+  const LineOfSight lines(stage.clearances->obstacles());
+  const FollowedWay way({{Pose::translation({0.8, 0.0, 0.3}), {}}}, false);
+  Wish led;
+  agent->agent->wish({*stage.body, stage.clearances->look(stage.body->configuration(), kLook), stage.task.goal, lines,
+                      0.02, 0.02, &way},
+                     led);
+  EXPECT_TRUE(led.v.empty());
+  EXPECT_FALSE(stage.ask(*agent->agent, 0.04).v.empty()) << "it goes on where the way has ended";
+  OperatorAgent person;
+  person.setHand(Twist{{0.1, 0.0, 0.0}, dvec3(0.0)});
+  Wish leads;
+  person.wish({*stage.body, stage.clearances->look(stage.body->configuration(), kLook), stage.task.goal, lines, 0.02,
+               0.02, &way},
+              leads);
+  EXPECT_FALSE(leads.v.empty()) << "a person leads whenever she likes";
 }
 
 TEST(SimulatedHand, GoesRoundWhatIsInTheWay) {

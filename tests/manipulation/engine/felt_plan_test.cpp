@@ -30,11 +30,12 @@ class ScriptedPlans final : public PlanSource {
   std::shared_ptr<const PlannedWay> newest() override { return way; }
   bool isReached(const PlanView&) const override { return reached; }
 
-  void give(std::vector<Pose> X_WM, std::uint64_t answers = 0) {
+  void give(std::vector<Pose> X_WM, std::uint64_t answers = 0, std::vector<std::vector<double>> joints = {}) {
     auto made = std::make_shared<PlannedWay>();
     made->number = ++given;
     made->answers = answers;
     made->X_WM = std::move(X_WM);
+    made->joints = std::move(joints);
     way = std::move(made);
   }
 
@@ -128,6 +129,33 @@ TEST_F(FeltPlanTest, AHandThatInsistsIsLetGoAndAsked) {
   stay(1.5, {0.0, 0.0, 0.02});
   EXPECT_NEAR(engine.plan().share, 1.0, 1e-9);
   EXPECT_GT(pull().z, 1.0) << "it is led on where it pushed";
+}
+
+TEST_F(FeltPlanTest, KeepsARobotOnTheWayWhileTheHandWandersInTheTube) {
+  engine.apply(command::SetScale{{ScaleLevel::kNumber, 20.0}});
+  plans->give({start, at({0.5, 0.0, 0.0})}, 0, {{0.0}, {0.0}});
+  stay(2.0, {});
+  for (int i = 0; i < 60; ++i) stay(0.01, {0.0, 0.0, 1e-4 * i});
+  stay(0.3, {0.0, 0.0, 0.006});
+  EXPECT_LT(std::abs(engine.placement(2).X_WE.p.z - start.p.z), 0.25 * plans->way->clearance + 1e-6)
+      << "12 cm beside the way by the hand alone";
+  EXPECT_NEAR(pull().z, -0.9, 0.05) << "N: what 6 mm of hand are worth";
+  // It goes along the way with the hand, as far as the hand goes.
+  for (int i = 0; i < 100; ++i) stay(0.01, {1e-4 * i, 0.0, 0.006});
+  stay(0.3, {0.01, 0.0, 0.006});
+  EXPECT_NEAR(engine.placement(2).X_WE.p.x - start.p.x, 0.2, 0.01);
+  // A hand that insists gets the entity back, without a leap.
+  Pose last = engine.placement(2).X_WE;
+  for (int i = 0; i < 200; ++i) {
+    stay(0.01, {0.01, 0.0, 0.015});
+    const Pose now_at = engine.placement(2).X_WE;
+    if (i > 0) {
+      EXPECT_LT(glm::distance(now_at.p, last.p), 20.0 * 0.15 * 0.01 + 1e-6);
+    }
+    last = now_at;
+  }
+  EXPECT_TRUE(engine.plan().insists);
+  EXPECT_NEAR(last.p.z - start.p.z, 20.0 * 0.015, 1e-3);
 }
 
 TEST_F(FeltPlanTest, TurnsTheEntityWithTheWay) {

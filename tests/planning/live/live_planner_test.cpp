@@ -7,7 +7,14 @@
 #include <cmath>
 #include <thread>
 
+#include "geometry/shapes/shapes.h"
+#include "kinematics/model/robot_model.h"
+#include "manipulation/checks/path_check.h"
+#include "manipulation/session/session.h"
+#include "planning/free_space.h"
+#include "tests/manipulation/session/test_cells.h"
 #include "tests/planning/live/window_cell.h"
+#include "trajectory/motion/trajectory.h"
 
 namespace hapticell::planning {
 namespace {
@@ -142,6 +149,124 @@ TEST(LivePlanner, SaysWhenThereIsNoWay) {
   EXPECT_EQ(wayOf(planner, view, 2.0), nullptr);
   ASSERT_TRUE(planner.figures().failure.has_value());
   EXPECT_EQ(planner.figures().failure->blocked_by, "lid");
+}
+
+/// Seven links of 0.26 m, turning about z and y in turn, before a post: one joint more than a tool needs.
+workcell::Entity sevenAxes() {
+  kinematics::RobotModel model;
+  model.name = "arm";
+  model.links.emplace_back().name = "root";
+  for (int i = 0; i < 7; ++i) {
+    kinematics::Joint joint;
+    joint.name = "joint" + std::to_string(i);
+    joint.type = kinematics::JointType::kRevolute;
+    joint.parent_link = i;
+    joint.child_link = i + 1;
+    joint.X_PJ = Pose::translation({0.0, 0.0, i == 0 ? 0.0 : 0.26});
+    joint.axis_J = i % 2 == 0 ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
+    joint.lower = -2.8;
+    joint.upper = 2.8;
+    joint.velocity = 3.0;
+    joint.variable = i;
+    geometry::TriangleMesh shape = geometry::makeBox({0.06, 0.06, 0.18});
+    for (dvec3& vertex : shape.vertices) vertex.z += 0.13;
+    kinematics::Link link;
+    link.name = "link" + std::to_string(i);
+    link.parent_joint = i;
+    link.collisions.push_back({std::make_shared<const geometry::TriangleMesh>(std::move(shape)), {}, {}, ""});
+    model.moving.push_back(i);
+    model.joints.push_back(joint);
+    model.links.push_back(std::move(link));
+  }
+  workcell::Entity robot;
+  robot.id = 1;
+  robot.name = "arm";
+  robot.body = workcell::Robot{{.model = std::make_shared<const kinematics::RobotModel>(std::move(model)),
+                                .joints = {0.7, 0.8, 0.2, 0.6, 0.1, 0.5, 0.0}}};
+  return robot;
+}
+
+struct ArmMove {
+  std::vector<workcell::Entity> entities;
+  Pose X_WT, X_WG;
+};
+
+ArmMove roundThePost() {
+  ArmMove move;
+  move.entities = {sevenAxes(), solid(2, "post", geometry::makeBox({0.12, 0.12, 1.0}), Pose::translation({0.9, 0.0, 0.5}))};
+  auto space = FreeSpace::create(manipulation::PreparedScene::prepare(move.entities, {}, {}), 1, {});
+  EXPECT_TRUE(space.has_value());
+  EntityConfiguration at = space->present();
+  move.X_WT = space->toolAt(at);
+  at.joints = {-0.8, 0.9, -0.1, 0.5, 0.2, 0.6, 0.3};
+  move.X_WG = space->toolAt(at);
+  return move;
+}
+
+/// A StraightHand at the robot, with the planner beside it.
+manipulation::SessionReport leadArm(const ArmMove& move, std::uint64_t seed, double authority) {
+  manipulation::SessionOptions options;
+  options.entities = move.entities;
+  options.entity = "arm";
+  options.configuration.manipulation.rate_hz = 100.0;
+  options.configuration.manipulation.edge_drift = 0.1;
+  options.axes.mode = manipulation::AxesMode::kCell;
+  // 5 cm of hand for all of it: a hand that is 8 mm beside the way would be 15 cm beside it.
+  const double scale = glm::distance(move.X_WT.p, move.X_WG.p) / 0.05;
+  options.scale = {manipulation::ScaleLevel::kNumber, scale};
+  options.straight_hand = manipulation::seededHand(seed);
+  options.straight_hand->X_WG = move.X_WG;
+  options.straight_hand->scale = scale;
+  options.hand = haptic::HandPath({{0.0, {}, 0}, {12.0, {}, 0}});
+  LiveOptions live;
+  live.goal = goal::ToPose{move.X_WG};
+  live.clearance = 0.005;
+  live.seed = seed;
+  live.in_virtual_time = true;
+  options.assistance = {std::make_shared<LivePlanner>(live), authority};
+  auto report = manipulation::runSession(options);
+  EXPECT_TRUE(report.has_value());
+  return report ? std::move(*report) : manipulation::SessionReport{};
+}
+
+TEST(LivePlanner, LeadsAnArmOfSevenAxesRoundAPost) {
+  const ArmMove move = roundThePost();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const auto led = leadArm(move, seed, 1.0);
+    ASSERT_TRUE(led.plan.has_value());
+    EXPECT_TRUE(led.plan->solved) << seed;
+    EXPECT_LE(led.forces.penetration_blocked_m, 1e-6);
+  }
+  const auto alone = leadArm(move, 1, 0.0);
+  ASSERT_TRUE(alone.plan.has_value());
+  EXPECT_FALSE(alone.plan->solved) << "straight on there is the post";
+}
+
+TEST(LivePlanner, GivesTheJointsOfARobotsWay) {
+  const ArmMove move = roundThePost();
+  LiveOptions options = throughWindow();
+  options.goal = goal::ToPose{move.X_WG};
+  options.clearance = 0.004;
+  LivePlanner planner(options);
+  PlanView view = viewOf(manipulation::PreparedScene::prepare(move.entities, {}, {}));
+  view.standing = {};
+  view.standing.joints = move.entities[0].joints();
+  view.X_WM = move.X_WT;
+  view.trail = std::make_shared<const manipulation::Trail>(manipulation::Trail{view.standing});
+  const auto way = wayOf(planner, view, 5.0);
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->clearance, 0.004);
+  ASSERT_EQ(way->joints.size(), way->X_WM.size());
+  EXPECT_EQ(way->joints.front(), view.standing.joints);
+  auto space = FreeSpace::create(view.scene, 1, {});
+  ASSERT_TRUE(space.has_value());
+  for (std::size_t i = 0; i < way->joints.size(); ++i) {
+    const Pose X_WT = space->toolAt({{}, way->joints[i]});
+    EXPECT_LT(glm::distance(X_WT.p, way->X_WM[i].p), 1e-5);
+    if (i > 0) {
+      EXPECT_TRUE(space->isFree({{}, way->joints[i - 1]}, {{}, way->joints[i]})) << i;
+    }
+  }
 }
 
 TEST(IsAtGoal, KnowsEachKindOfGoal) {
