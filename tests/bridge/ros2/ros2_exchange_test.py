@@ -245,9 +245,13 @@ ACTION = "/arm/follow_joint_trajectory"
 
 
 def small_motion(folder, motion):
-    """A tenth of a radian of the second joint, from where the robot of the cell is: upwards, and a little too fast."""
+    """A tenth of a radian of the second joint, from where the robot of the cell is: upwards, and a little too fast. The robot
+    stands in a cell without anything else, which is prepared quickly."""
     cell = json.loads(CELL.read_text())
-    start = [next(e for e in cell["entities"] if e["name"] == "robot")["joints"][name] for name in motion["joints"]]
+    robot = next(e for e in cell["entities"] if e["name"] == "robot")
+    robot["source"]["file"] = str((CELL.parent / robot["source"]["file"]).resolve())
+    (folder / "arm.hcell").write_text(json.dumps({"format": cell["format"], "version": cell["version"], "entities": [robot]}))
+    start = [robot["joints"][name] for name in motion["joints"]]
     rows = []
     for i in range(26):
         s = i / 25
@@ -258,7 +262,7 @@ def small_motion(folder, motion):
 
 
 def sending(folder, domain, *more, confirm="robot", wait=20):
-    return subprocess.Popen([CLI, "ros2", "send", "--workcell", CELL, "--motion", folder / "small.htraj", "--action", ACTION, "--domain", domain,
+    return subprocess.Popen([CLI, "ros2", "send", "--workcell", folder / "arm.hcell", "--motion", folder / "small.htraj", "--action", ACTION, "--domain", domain,
                              "--this-machine", "--wait", str(wait), *(("--confirm", confirm) if confirm else ()), *more], stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
 
