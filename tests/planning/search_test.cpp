@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planning/coordinates.h"
 #include "planning/goal_states.h"
 #include "planning/shortening.h"
 #include "tests/planning/planning_cells.h"
@@ -21,6 +22,66 @@ SearchJob jobAroundTheWall(FreeSpace& space) {
   EXPECT_TRUE(space.isFree(goal)) << english(space.blocker() ? space.blocker()->text() : Text());
   EXPECT_FALSE(space.isFree(job.start, goal));
   return job;
+}
+
+TEST(Coordinates, OfJointsAreMetresOfThePartsAndComeBack) {
+  auto space = FreeSpace::create(test::robotCell(), 1, {});
+  ASSERT_TRUE(space);
+  const SearchJob job = jobAroundTheWall(*space);
+  const Coordinates coordinates(*space, job);
+  const ompl::base::StateSpacePtr states = coordinates.makeSpace();
+  ompl::base::State *a = states->allocState(), *b = states->allocState();
+  std::mt19937_64 random(2), again(2);
+  const auto& robot = *space->entity().robot();
+  for (int i = 0; i < 200; ++i) {
+    coordinates.sample(random, a);
+    coordinates.sample(again, b);
+    EXPECT_EQ(states->distance(a, b), 0.0) << "by the seed alone";
+    EXPECT_TRUE(states->satisfiesBounds(a));
+    const EntityConfiguration at = coordinates.read(a);
+    for (std::size_t k = 0; k < at.joints.size(); ++k) {
+      const auto& joint = robot.joints[static_cast<std::size_t>(robot.moving[k])];
+      EXPECT_GE(at.joints[k], joint.lower - 1e-9);
+      EXPECT_LE(at.joints[k], joint.upper + 1e-9);
+    }
+    coordinates.write(at, b);
+    EXPECT_LT(states->distance(a, b), 1e-12);
+    // One joint alone: what OMPL calls a distance is what the parts move at most, and at least what the tool does.
+    EntityConfiguration turned = job.start;
+    const std::size_t k = static_cast<std::size_t>(i) % turned.joints.size();
+    turned.joints[k] += 0.1;
+    coordinates.write(job.start, a);
+    coordinates.write(turned, b);
+    EXPECT_NEAR(states->distance(a, b), coordinates.distance(job.start, turned), 1e-12);
+    std::vector<Pose> before, after;
+    kinematics::forwardKinematics(robot, job.start.joints, before);
+    kinematics::forwardKinematics(robot, turned.joints, after);
+    EXPECT_GE(states->distance(a, b), glm::distance(before.back().p, after.back().p) - 1e-9) << "joint " << k;
+  }
+  states->freeState(a);
+  states->freeState(b);
+}
+
+TEST(Coordinates, OfAPartArePosesInTheCell) {
+  auto space = FreeSpace::create(test::boxWithBar(0.3), 1, {});
+  ASSERT_TRUE(space);
+  SearchJob job;
+  job.start = space->present();
+  const Coordinates coordinates(*space, job);
+  const ompl::base::StateSpacePtr states = coordinates.makeSpace();
+  ompl::base::State* state = states->allocState();
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 200; ++i) {
+    coordinates.sample(random, state);
+    EXPECT_TRUE(states->satisfiesBounds(state));
+    EXPECT_NEAR(glm::length(coordinates.read(state).X_WE.q), 1.0, 1e-12);
+  }
+  EntityConfiguration moved = job.start;
+  moved.X_WE.p += dvec3(0.03, 0.0, 0.04);
+  EXPECT_NEAR(coordinates.distance(job.start, moved), 0.05, 1e-12);
+  moved.X_WE.q = glm::angleAxis(0.2, dvec3(0, 0, 1)) * moved.X_WE.q;
+  EXPECT_NEAR(coordinates.distance(job.start, moved), 0.05 + 0.2 * space->radius(), 1e-9);
+  states->freeState(state);
 }
 
 TEST(Search, DoesNotDependOnThreads) {

@@ -6,6 +6,7 @@
 
 #include "cli/ros2/bridge_call.h"
 #include "cli/ros2/package_command.h"
+#include "cli/ros2/ros_words.h"
 #include "cli/ros2/send_command.h"
 #include "tests/cli/kit/kept_words.h"
 
@@ -21,6 +22,38 @@ TEST(Ros2Command, TakesItsWords) {
                         {{"ros2", "send", "--workcell", "a.hcell", "--motion", "b.htraj", "--action", "/c", "--joint-share", "2"},
                          "--joint-share"}});
   EXPECT_THAT(test::OneCommand({addRos2Command}).below("ros2"), ::testing::ElementsAre("publish", "package", "listen", "send"));
+}
+
+/// A variable of the environment for as long as this lives.
+class Named {
+ public:
+  Named(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
+  ~Named() { unsetenv(name_); }
+  Named(const Named&) = delete;
+  Named& operator=(const Named&) = delete;
+
+ private:
+  const char* name_;
+};
+
+TEST(RosWords, TheDomainIsTheWordElseThatOfTheEnvironment) {
+  test::expectRefusals({addRos2Command}, {{{"ros2", "listen", "--domain", "233"}, "--domain"},
+                                          {{"ros2", "listen", "--domain", "1.5"}, "--domain"}});
+  for (const char* wrong : {"233", "-1", "5x", "home"}) {
+    const Named domain("ROS_DOMAIN_ID", wrong);
+    const auto refused = bridgeResult({{"do", "no job is called so"}}, {});
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_THAT(refused.error().message(), ::testing::AllOf(::testing::HasSubstr("ROS_DOMAIN_ID"), ::testing::HasSubstr(wrong)));
+  }
+  // A word wins: the job goes on to the program, which does not know it.
+  const Named domain("ROS_DOMAIN_ID", "home");
+  ::testing::internal::CaptureStderr();
+  const auto answer = bridgeResult({{"do", "no job is called so"}}, {.domain = 7});
+  ::testing::internal::GetCapturedStderr();
+  if (answer)
+    EXPECT_FALSE(*answer) << "it failed";
+  else
+    EXPECT_THAT(answer.error().message(), ::testing::HasSubstr("hapticell-ros2 is not installed"));
 }
 
 TEST(Ros2Send, SaysWhatAPersonConfirms) {

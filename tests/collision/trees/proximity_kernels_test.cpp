@@ -9,6 +9,7 @@
 #include <random>
 
 #include "collision/trees/box_tree.h"
+#include "collision/trees/kernel_triangles.h"
 #include "collision/trees/triangle_distance.h"
 #include "tests/collision/queries/meshes.h"
 
@@ -58,6 +59,37 @@ double leastBetween(const OrientedBox& a, const OrientedBox& b) {
     }
   }
   return std::sqrt(least);
+}
+
+/// Kernels are the same text for every width: by pairs of doubles they are as exact as the distance of one pair.
+TEST(KernelTriangles, TwoPairsAtOnceAreAsFarApartAsOneByOne) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int through = 0;
+  for (int round = 0; round < 5000; ++round) {
+    double numbers[2][9][2];  // Face, coordinate, lane.
+    Corners corners[2][2];    // Face, lane.
+    for (int face = 0; face < 2; ++face) {
+      for (int lane = 0; lane < 2; ++lane) {
+        const double away = face == 0 ? 0.0 : 0.3 * (round % 8);
+        for (int k = 0; k < 9; ++k) {
+          numbers[face][k][lane] = unit(random) + (k % 3 == 0 ? away : 0.0);
+          corners[face][lane][static_cast<std::size_t>(k / 3)][k % 3] = numbers[face][k][lane];
+        }
+      }
+    }
+    Face<Double2> first, second;
+    loadFace(&numbers[0][0][0], 2, first);
+    loadFace(&numbers[1][0][0], 2, second);
+    const Double2 squared = distancesSquared(first, second);
+    for (int lane = 0; lane < 2; ++lane) {
+      const double expected = triangleDistance(corners[0][lane], corners[1][lane]).squared;
+      ASSERT_NEAR(std::sqrt(squared[lane]), std::sqrt(expected), 1e-9) << round;
+      through += expected == 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(through, 100) << "pairs that pass through each other were among them";
+  EXPECT_LT(through, 9000);
 }
 
 TEST_P(ProximityKernels, PackedDistancesAreWithinTheirDoubt) {

@@ -11,6 +11,7 @@
 #include "haptic/rendering/entry_rows_body.h"
 #include "haptic/rendering/proxy_metric.h"
 #include "haptic/rendering/violated_rows.h"
+#include "haptic/rendering/violated_rows_body.h"
 
 namespace hapticell::haptic {
 namespace {
@@ -138,10 +139,12 @@ TEST(ViolatedRows, TheWorstIsThatOfALookAtEach) {
       worst = left;
       expected = i;
     }
-    std::size_t found = rows->count, plainly = rows->count;
+    std::size_t found = rows->count, plainly = rows->count, here = rows->count;
     EXPECT_EQ(mostViolated(*rows, d, 1e-3, found), expected < rows->count);
     EXPECT_EQ(mostViolatedPortably(*rows, d, 1e-3, plainly), expected < rows->count);
+    EXPECT_EQ(worstRowOf(*rows, d.data(), 1e-3, here), expected < rows->count);
     EXPECT_EQ(plainly, found);
+    EXPECT_TRUE(expected == rows->count || here == found) << "as compiled for the test";
     EXPECT_EQ(found, expected) << turn;
     none += expected == rows->count ? 1 : 0;
     equalities += expected < rows->count && rows->both_ways[expected] > 0.0 ? 1 : 0;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "mannequin/ergonomics/report/page_painter.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
@@ -55,6 +57,63 @@ std::uint32_t argb(const std::array<double, 3>& color) {
   std::uint32_t value = 0xFFu;
   for (const double part : color) value = value << 8 | static_cast<std::uint32_t>(std::lround(255.0 * part));
   return value;
+}
+
+/// Paints on one picture of a page, in grey of a quarter of the size, and keeps how much of each page is written on.
+class CountedPages : public PagePainter {
+ public:
+  using PagePainter::PagePainter;
+  std::vector<int> written;  ///< Dark pixels of each finished page.
+
+ protected:
+  cairo_t* contextOf(int page) override {
+    EXPECT_EQ(page, static_cast<int>(written.size()) + 1) << "pages come in order";
+    cairo_identity_matrix(context_.get());
+    cairo_set_source_rgb(context_.get(), 1.0, 1.0, 1.0);
+    cairo_paint(context_.get());
+    cairo_scale(context_.get(), kPageScale, kPageScale);
+    return context_.get();
+  }
+  void finishPage(int page) override {
+    EXPECT_EQ(page, static_cast<int>(written.size()) + 1);
+    cairo_surface_flush(surface_.get());
+    int dark = 0;
+    const unsigned char* data = cairo_image_surface_get_data(surface_.get());
+    const int stride = cairo_image_surface_get_stride(surface_.get());
+    for (int y = 0; y < kPagePixelsHigh; ++y)
+      for (int x = 0; x < kPagePixelsWide; ++x) dark += data[y * stride + 4 * x] < 128 ? 1 : 0;
+    written.push_back(dark);
+  }
+
+ private:
+  static constexpr double kPageScale = 0.5;
+  static constexpr int kPagePixelsWide = 298, kPagePixelsHigh = 421;
+  Surface surface_ = surfaceOf(
+      {kPagePixelsWide, kPagePixelsHigh,
+       std::vector<std::uint32_t>(static_cast<std::size_t>(kPagePixelsWide) * kPagePixelsHigh, 0xFFFFFFFFu)});
+  Context context_{cairo_create(surface_.get())};
+};
+
+TEST(PagePainter, ALongTableTakesAsManyPagesAsItsRowsNeed) {
+  Report report{.title = "Shift", .subtitle = "Line 4", .date = "27 Nov 2026"};
+  ReportBlock table{.heading = "Minutes"};
+  table.columns = {"Minute", "RULA"};
+  std::size_t pages_before = 1;
+  for (const int rows : {10, 100, 200, 400}) {
+    table.rows.clear();
+    for (int row = 0; row < rows; ++row) table.rows.push_back({{.text = std::to_string(row)}, {.text = std::to_string(1 + row % 7)}});
+    report.blocks = {table};
+    CountedPages whole(report, 1.0);
+    const auto pages = static_cast<std::size_t>(whole.paint());
+    EXPECT_EQ(pages, whole.written.size());
+    EXPECT_GE(pages, pages_before) << rows;
+    for (const int dark : whole.written) EXPECT_GT(dark, 50) << "no page is empty";
+    EXPECT_LE(reportPages(report), static_cast<int>(pages)) << "a file is reduced to fit where it can";
+    CountedPages small(report, 0.6);
+    EXPECT_LE(static_cast<std::size_t>(small.paint()), pages) << "smaller, it takes no more pages";
+    pages_before = pages;
+  }
+  EXPECT_GE(pages_before, 5u) << "400 rows of 4 mm or more on pages of 297 mm";
 }
 
 TEST(ReportCanvas, APictureIsCopiedPixelByPixel) {
