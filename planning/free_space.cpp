@@ -2,13 +2,11 @@
 #include "planning/free_space.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <numbers>
 #include <random>
-#include <span>
 
 #include "collision/queries/freeing_shift.h"
 #include "collision/queries/proximity_query.h"
@@ -16,6 +14,7 @@
 #include "kinematics/model/jacobian.h"
 #include "manipulation/holding/held_pairs.h"
 #include "manipulation/manipulators/manipulator_kinds.h"
+#include "planning/own_pair_motion.h"
 
 namespace hapticell::planning {
 
@@ -54,8 +53,7 @@ struct FreeRange {
 };
 
 /// A pair that is checked: parts of the space's scene, by index, and who they are.
-struct CheckedPair {
-  std::uint32_t part = 0, other = 0;
+struct CheckedPair : OwnPair {
   bool own = false;
   bool is_lasting = false;               ///< They touch whatever the joints are.
   std::vector<std::size_t> joints = {};  ///< Of an own pair: those that move the two against each other.
@@ -87,108 +85,6 @@ Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model,
       model.form(),   model.taken(), manipulation::resolved(manipulation::MovedBy(), model.form()),
       *model.scene(), configuration, parts};
   return makeManipulator(taking, manipulation::manipulatorKinds());
-}
-
-/// A motion whose parts' poses are asked for, mostly where it is halved again and again: those are found once for all
-/// parts.
-class PlannedMotion {
- public:
-  PlannedMotion(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to,
-                std::size_t parts)
-      : manipulator_(manipulator), from_(from), to_(to), parts_(parts), X_WP_((kKept + 1) * parts) {}
-
-  Pose poseOf(std::size_t part, double s) {
-    const double place = s * static_cast<double>(kKept);
-    const auto index = static_cast<std::size_t>(place);
-    if (static_cast<double>(index) != place) return manipulator_.partPose(placed(s), part);
-    const std::span<Pose> all(X_WP_.data() + index * parts_, parts_);
-    if (!is_known_[index]) manipulator_.partPoses(manipulator_.between(from_, to_, s), all);
-    is_known_[index] = true;
-    return all[part];
-  }
-
- private:
-  /// Half: poses are found anew for each part in pieces of a 32nd; twice: more memory is filled a motion.
-  static constexpr std::size_t kKept = 64;
-
-  const EntityConfiguration& placed(double s) {
-    if (s != s_) at_ = manipulator_.between(from_, to_, s);
-    s_ = s;
-    return at_;
-  }
-
-  const Manipulator& manipulator_;
-  const EntityConfiguration& from_;
-  const EntityConfiguration& to_;
-  std::size_t parts_;
-  std::vector<Pose> X_WP_;  ///< At s of i / kKept, one part after the other.
-  std::bitset<kKept + 1> is_known_;
-  double s_ = -1.0;
-  EntityConfiguration at_;
-};
-
-/// m of motion: shorter pieces are not halved but followed by their distance. Half: one halving more near contact;
-/// twice: longer pieces to follow there, at 10 to 20 us a distance.
-constexpr double kShortPiece = 2e-3;
-/// Of a piece of an own pair's motion, against the radius of the smaller part: longer ones are halved without a search,
-/// which mostly tells nothing. Half, twice: some more halvings or searches.
-constexpr double kSearchedSize = 1.0;
-/// Pieces of a motion that wait: halvings from 2^60 m down to the above.
-constexpr int kMostOpen = 64;
-
-struct Piece {
-  double from = 0.0, to = 1.0;
-};
-
-/// Leads an own pair along a piece of a motion, the one part as seen from the other, until they touch. `way`: bound (m)
-/// of their paths by the joints between them, together, on the whole motion.
-collision::MotionStop leadOwnPair(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion,
-                                  double way, const Piece& piece = {}) {
-  const double length = piece.to - piece.from;
-  const Pose X_WA0 = motion.poseOf(pair.part, piece.from);
-  collision::PartMotion met;
-  met.path_bound = way * length;
-  met.bend_bound = std::numeric_limits<double>::infinity();
-  met.along = [&](double s) {
-    const double at = piece.from + s * length;
-    return X_WA0 * (motion.poseOf(pair.part, at).inverse() * motion.poseOf(pair.other, at));
-  };
-  return collision::advance(query, collision::standingStill(X_WA0), met, {0.0, 1.0});
-}
-
-/// Lower bound (m) of the distance of the two by the spheres around them.
-double spheresApart(const collision::ProximityQuery& query, const Pose& X_WA, const Pose& X_WB) {
-  const collision::MeshCollider &a = query.a(), &b = query.b();
-  return glm::distance(X_WA * a.center(), X_WB * b.center()) - a.radius() - b.radius();
-}
-
-/// Whether an own pair touches on a motion. What is apart by more than half a piece's way in its middle is so on the
-/// whole piece, which takes a tenth of a distance to tell.
-bool ownPairTouches(collision::ProximityQuery& query, const CheckedPair& pair, PlannedMotion& motion, double way) {
-  const double longest = std::max(kShortPiece, kSearchedSize * std::min(query.a().radius(), query.b().radius()));
-  Piece open[kMostOpen];
-  int count = 1;
-  while (count > 0) {
-    const Piece piece = open[--count];
-    const double middle = 0.5 * (piece.from + piece.to), length = way * (piece.to - piece.from);
-    if (length > longest && count + 2 <= kMostOpen) {
-      open[count++] = {middle, piece.to};
-      open[count++] = {piece.from, middle};
-      continue;
-    }
-    const Pose X_WA = motion.poseOf(pair.part, middle), X_WB = motion.poseOf(pair.other, middle);
-    const double margin = collision::kLeastClearance + 0.5 * length + collision::kRounding;
-    if (spheresApart(query, X_WA, X_WB) > margin || !query.within(X_WA, X_WB, margin)) continue;
-    if (length <= kShortPiece || count + 2 > kMostOpen) {
-      const auto stop = leadOwnPair(query, pair, motion, way, piece);
-      if (stop.stopped || stop.began_colliding) return true;
-      continue;
-    }
-    if (query.within(X_WA, X_WB, collision::kLeastClearance)) return true;
-    open[count++] = {middle, piece.to};
-    open[count++] = {piece.from, middle};
-  }
-  return false;
 }
 
 Expected<void> canBePlannedFor(const workcell::Entity* entity) {

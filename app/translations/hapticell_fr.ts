@@ -19331,6 +19331,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom '%1' est déjà utilisé</translation>
     </message>
     <message>
+        <source>the name '%1' says nothing; that of the file, '%2', is assumed</source>
+        <translation>le nom « %1 » ne dit rien ; celui du fichier, « %2 », est supposé</translation>
+    </message>
+    <message>
         <source>the name '%1' twice</source>
         <translation>deux fois le nom '%1'</translation>
     </message>

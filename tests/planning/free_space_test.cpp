@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
+#include "geometry/shapes/shapes.h"
 #include "manipulation/checks/joint_check.h"
+#include "planning/own_pair_motion.h"
+#include "planning/planned_motion.h"
 #include "tests/planning/planning_cells.h"
 
 namespace hapticell::planning {
@@ -108,6 +112,92 @@ TEST(FreeSpace, AnswersNothingOnceStopped) {
 TEST(FreeSpace, RefusesWhatItCannotMove) {
   const auto scene = test::boxWithBar(0.3);
   EXPECT_FALSE(FreeSpace::create(scene, 77, {}));
+}
+
+/// A ball that stays at (kArm, 0, 0), and one that turns about z on an arm as long: a pair whose way is known.
+class TurningBall final : public manipulation::Manipulator {
+ public:
+  static constexpr double kArm = 0.3, kRadius = 0.05;
+  Pose partPose(const EntityConfiguration& at, std::size_t part) const override {
+    const double angle = part == 0 ? 0.0 : at.joints[0];
+    Pose X_WP = Pose::translation(kArm * dvec3(std::cos(angle), std::sin(angle), 0.0));
+    X_WP.q = glm::angleAxis(angle, dvec3(0, 0, 1));
+    return X_WP;
+  }
+  void partPoses(const EntityConfiguration& at, std::span<Pose> X_WP) const override {
+    ++asked;
+    for (std::size_t i = 0; i < X_WP.size(); ++i) X_WP[i] = partPose(at, i);
+  }
+  EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override {
+    EntityConfiguration at = from;
+    at.joints[0] += s * (to.joints[0] - from.joints[0]);
+    return at;
+  }
+  Pose movedFrame(const EntityConfiguration& at) const override { return partPose(at, 1); }
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose&, double) const override { return from; }
+  void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                  std::span<const manipulation::PartSphere>, std::span<double> bounds) const override {
+    bounds[0] = 0.0;
+    bounds[1] = (kArm + kRadius) * std::abs(to.joints[0] - from.joints[0]);
+  }
+  double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override {
+    return std::abs(to.joints[0] - from.joints[0]);
+  }
+  std::vector<manipulation::PartDifferential> differentiate(const EntityConfiguration&) const override { return {}; }
+  std::vector<manipulation::MotionLimit> limits(const EntityConfiguration&, double, double) const override {
+    return {};
+  }
+  mutable int asked = 0;
+};
+
+EntityConfiguration turnedTo(double angle) {
+  return {Pose::identity(), {angle}};
+}
+
+TEST(PlannedMotion, GivesThePosesOfTheManipulatorAndAsksOnceForAllParts) {
+  const TurningBall ball;
+  const EntityConfiguration from = turnedTo(-1.0), to = turnedTo(2.0);
+  PlannedMotion motion(ball, from, to, 2);
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i <= 64; ++i) {
+      for (const std::size_t part : {0u, 1u}) {
+        const Pose X_WP = motion.poseOf(part, i / 64.0);
+        EXPECT_EQ(X_WP.p, ball.partPose(ball.between(from, to, i / 64.0), part).p) << i;
+      }
+    }
+  }
+  EXPECT_EQ(ball.asked, 65) << "each place once, for both parts";
+  for (const double s : {0.123, 0.5 + 1.0 / 256.0, 0.999})
+    EXPECT_EQ(motion.poseOf(1, s).p, ball.partPose(ball.between(from, to, s), 1).p) << s;
+  EXPECT_EQ(ball.asked, 65);
+}
+
+TEST(OwnPairMotion, TouchesWhereTheChordIsTwoRadii) {
+  const TurningBall ball;
+  const auto mesh = collision::MeshCollider::build(geometry::makeSphere(TurningBall::kRadius, 96));
+  collision::ProximityQuery query(mesh, mesh);
+  const double touching = 2.0 * std::asin(TurningBall::kRadius / TurningBall::kArm);  // 0.335 rad.
+  const OwnPair pair{0, 1};
+  const auto wayOf = [](double angle) { return (TurningBall::kArm + TurningBall::kRadius) * angle; };
+  {
+    const EntityConfiguration from = turnedTo(1.5), to = turnedTo(-1.5);
+    PlannedMotion motion(ball, from, to, 2);
+    EXPECT_TRUE(ownPairTouches(query, pair, motion, wayOf(3.0)));
+    const auto stop = leadOwnPair(query, pair, motion, wayOf(3.0));
+    EXPECT_TRUE(stop.stopped);
+    EXPECT_NEAR(1.5 - 3.0 * stop.s, touching, 3e-3) << "the meshes lie up to 0.05 mm inside the balls";
+    // Its second half begins in contact.
+    EXPECT_TRUE(leadOwnPair(query, pair, motion, wayOf(3.0), {0.5, 1.0}).began_colliding);
+    // The rest, from where they are apart again, is free.
+    EXPECT_FALSE(leadOwnPair(query, pair, motion, wayOf(3.0), {0.65, 1.0}).stopped);
+  }
+  for (const double least : {0.30, 0.33, 0.34, 0.5, 1.0}) {
+    const EntityConfiguration from = turnedTo(2.5), to = turnedTo(least);
+    PlannedMotion motion(ball, from, to, 2);
+    EXPECT_EQ(ownPairTouches(query, pair, motion, wayOf(2.5 - least)), least < touching) << least;
+  }
+  const Pose X_WA = ball.partPose(turnedTo(1.0), 0), X_WB = ball.partPose(turnedTo(1.0), 1);
+  EXPECT_NEAR(spheresApart(query, X_WA, X_WB), 2.0 * TurningBall::kArm * std::sin(0.5) - 2.0 * TurningBall::kRadius, 1e-4);
 }
 
 }  // namespace
