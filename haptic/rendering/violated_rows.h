@@ -19,8 +19,8 @@ struct RowArrays {
 };
 
 /// Of the rows that are left by more than `tolerance` (m) at `d` the one that is left by most, the first of equal ones;
-/// false: there is none. By the widest vector instructions of this processor; the same to the last bit on all of them.
-/// Never allocates.
+/// false: no row is left by so much. By the widest vector instructions of this processor; the same to the last bit on
+/// all of them. Never allocates.
 bool mostViolated(const RowArrays& rows, const Vector6& d, double tolerance, std::size_t& row) noexcept;
 
 /// The same by what every processor has; for tests.
