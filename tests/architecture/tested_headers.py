@@ -19,7 +19,6 @@ from source_folders import SOURCES
 TESTED = tuple(folder for folder in SOURCES if folder != "app")
 # By the top folder: headers without a test, from before this check. They become fewer, never more.
 ALLOWED = {
-    "bridge": 3,
     "cli": 8,
     "haptic": 7,
     "manipulation": 3,
