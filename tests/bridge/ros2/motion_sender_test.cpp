@@ -162,7 +162,8 @@ TEST(SendMotion, SendsWhatWasConfirmedAndSaysHowItEnded) {
   options.confirmation = checked->confirmation;
   options.wait = 30.0;
   using Answer = PlayedRobot::Answer;
-  for (const auto& [answer, outcome] : {std::pair(Answer::kSucceed, "succeeded"), {Answer::kCancel, "canceled"}, {Answer::kReject, "rejected"}}) {
+  for (const auto& [answer, outcome] :
+       {std::pair(Answer::kSucceed, "succeeded"), {Answer::kCancel, "canceled"}, {Answer::kReject, "rejected"}}) {
     std::atomic<bool> stop{false};
     PlayedRobot robot(options.motion.action, 0.0005, answer, stop);
     const auto sent = sendMotion(options, stop);
