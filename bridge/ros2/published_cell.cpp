@@ -2,7 +2,9 @@
 #include "bridge/ros2/published_cell.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 
 #include "geometry/system/regular_file.h"
 #include "workcell/robots/urdf_writer.h"
@@ -29,6 +31,23 @@ std::vector<std::string> variableNames(const kinematics::RobotModel& model) {
   return names;
 }
 
+/// The address of a local file, with all but letters, digits, "-._~" and "/" as percent codes (RFC 3986): then it stands
+/// in XML as it is.
+std::string addressOf(const fs::path& file) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string address = "file://";
+  for (const char letter : file.string()) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool is_plain = (code < 128 && std::isalnum(code)) || std::strchr("-._~/", letter) != nullptr;
+    if (is_plain) {
+      address += letter;
+    } else {
+      address += {'%', kDigits[code >> 4], kDigits[code & 15]};
+    }
+  }
+  return address;
+}
+
 }  // namespace
 
 Expected<std::string> robotDescription(const Entity& robot, const fs::path& folder, Diagnostics& notes) {
@@ -36,7 +55,7 @@ Expected<std::string> robotDescription(const Entity& robot, const fs::path& fold
   HAPTICELL_TRY(workcell::writeUrdf(robot, file, notes));
   auto text = geometry::readRegularFile(file);
   HAPTICELL_TRY(text);
-  const std::string relative = "filename=\"robot_meshes/", whole = "filename=\"file://" + file.parent_path().string() + "/robot_meshes/";
+  const std::string relative = "filename=\"robot_meshes/", whole = "filename=\"" + addressOf(file.parent_path() / "robot_meshes") + "/";
   for (std::size_t at = text->find(relative); at != std::string::npos; at = text->find(relative, at + whole.size()))
     text->replace(at, relative.size(), whole);
   return text;

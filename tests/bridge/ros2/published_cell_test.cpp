@@ -113,9 +113,11 @@ TEST(RobotFrames, ComposeToThePosesOfTheLinks) {
 
 TEST(RobotDescription, IsReadAgainAsTheSameRobot) {
   const CraneCell cell;
-  const test::TemporaryFolder meshes;
+  const test::TemporaryFolder folder;
+  const std::filesystem::path meshes = folder.path() / "cell 4 & \"5\" <élan> 100%";
+  std::filesystem::create_directories(meshes);
   Diagnostics notes;
-  const auto text = robotDescription(*cell.crane, meshes.path(), notes);
+  const auto text = robotDescription(*cell.crane, meshes, notes);
   ASSERT_TRUE(text) << text.error().message();
   const auto read = workcell::readUrdfText(*text, "/nowhere/robot.urdf", notes, nullptr, workcell::RobotContent::kKinematics);
   ASSERT_TRUE(read) << read.error().message();
@@ -142,7 +144,14 @@ TEST(RobotDescription, IsReadAgainAsTheSameRobot) {
     const std::size_t begin = at + before.size();
     const std::string address = text->substr(begin, text->find('"', begin) - begin);
     ASSERT_TRUE(address.starts_with("file:///")) << address;
-    EXPECT_TRUE(std::filesystem::is_regular_file(address.substr(7))) << address;
+    std::string file;  // Percent codes read as RFC 3986 has them.
+    for (std::size_t k = 7; k < address.size(); ++k) {
+      ASSERT_EQ(std::string(" \"<>&").find(address[k]), std::string::npos) << address;
+      const bool is_code = address[k] == '%';
+      file += is_code ? static_cast<char>(std::stoi(address.substr(k + 1, 2), nullptr, 16)) : address[k];
+      k += is_code ? 2 : 0;
+    }
+    EXPECT_TRUE(std::filesystem::is_regular_file(file)) << address;
   }
   EXPECT_GT(shapes, 0u) << "the arm's";
 }
