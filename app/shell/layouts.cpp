@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -144,8 +145,33 @@ bool Layouts::bringBack() {
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
     if (!dock->isFloating()) dock->hide();
   if (!window_.restoreState(state, kVersion)) return false;
+  addNewDocks(state);
   raiseLater(settings_.value(key("layout_front")).toStringList());
   return true;
+}
+
+void Layouts::addNewDocks(const QByteArray& state) {
+  const auto isKept = [&](const QDockWidget* dock) {
+    QByteArray name;  // As QMainWindow::saveState() writes it.
+    QDataStream(&name, QIODevice::WriteOnly) << dock->objectName();
+    return state.contains(name);
+  };
+  QDockWidget* onto = nullptr;
+  std::vector<QDockWidget*> added;
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+    if (dock->isFloating() || window_.dockWidgetArea(dock) != Qt::RightDockWidgetArea) continue;
+    if (!isKept(dock))
+      added.push_back(dock);
+    else if (!onto || (onto->isHidden() && !dock->isHidden()))
+      onto = dock;
+  }
+  if (!onto) return;
+  for (QDockWidget* dock : added) {
+    const bool shown = !dock->isHidden();
+    window_.removeDockWidget(dock);
+    window_.tabifyDockWidget(onto, dock);
+    dock->setVisible(shown);
+  }
 }
 
 QStringList Layouts::inFront() const {

@@ -57,6 +57,8 @@ class Layouts : public QObject {
   /// Writes the present layout, and which docks are in front, to the settings, or reads it; false if none is stored.
   void keep();
   bool bringBack();
+  /// Docks that a kept state does not know, as after an update, become tabs of the others at the right.
+  void addNewDocks(const QByteArray& state);
   QStringList inFront() const;
   void raiseLater(const QStringList& docks);
   QMainWindow& window_;

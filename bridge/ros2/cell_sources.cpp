@@ -15,14 +15,15 @@ Expected<std::shared_ptr<const Entity>> robotToPublish(const workcell::Document&
                                                            const std::string& cell) {
   std::shared_ptr<const Entity> found;
   std::string names;
+  int robots = 0;
   for (const auto& candidate : document.state().entities) {
     if (!workcell::isMachine(*candidate)) continue;
     if (!entity.empty() && candidate->name == entity) return candidate;
     names += (names.empty() ? "" : ", ") + candidate->name;
-    found = found ? nullptr : candidate;
-    if (!found && entity.empty()) break;
+    found = candidate;
+    ++robots;
   }
-  if (entity.empty() && found) return found;
+  if (entity.empty() && robots == 1) return found;
   return makeError({cell, entity.empty() ? Text("robots") : Text("entity '%1'", entity),
                     names.empty() ? Text("no robot") : Text("the robots %1", names), "one robot", "Name it by --entity."});
 }

@@ -7,7 +7,8 @@
 
 namespace hapticell::bridge {
 
-/// Calls `take` with every message that a reader of `Message` has, oldest first; they are lent by DDS for the call.
+/// Calls `take` with every message that a reader of `Message` has, oldest first; they are lent by DDS for the call. A
+/// reader is always asked for as many at once: Cyclone DDS 0.10 may write as many addresses as it ever lent before.
 template <typename Message, typename Take>
 void takeAll(dds_entity_t reader, const Take& take) {
   constexpr std::uint32_t kAtOnce = 64;

@@ -40,6 +40,19 @@ TEST(LayoutsInTheWindow, ADockThatWasMadeLaterStaysOutOfTheLayoutsBefore) {
   EXPECT_FALSE(late->isHidden());
 }
 
+TEST(LayoutsInTheWindow, ADockThatAKeptLayoutDoesNotKnowIsATabOfTheOthers) {
+  CellPage page;
+  page.window().layouts().choose("teach");  // Keeps "move" as the program before the update had it.
+  auto* added = new QDockWidget("added", &page.window());
+  added->setObjectName("dockOfTheUpdate");
+  page.window().addDockWidget(Qt::RightDockWidgetArea, added);
+  page.window().layouts().choose("move");
+  added->show();
+  CellPage::settle();
+  const auto* robot = page.find<QDockWidget>("dockRobot");
+  EXPECT_TRUE(page.window().tabifiedDockWidgets(added).contains(const_cast<QDockWidget*>(robot)));
+}
+
 bool comesToFront(MainWindow& window, const char* name) {
   const auto* dock = window.findChild<QDockWidget*>(name);
   return dock && CellPage::until([dock] { return isInFront(*dock); }, 30000);

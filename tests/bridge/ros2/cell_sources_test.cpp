@@ -58,6 +58,7 @@ TEST(RobotToPublish, ARefusalNamesTheRobotsThatThereAre) {
   EXPECT_THAT(none, HasSubstr("no robot"));
   const workcell::Document cell = cellWithRobots(folder, {"left", "right"});
   EXPECT_THAT(refusalOf(cell, ""), HasSubstr("left, right"));
+  EXPECT_THAT(refusalOf(cellWithRobots(folder, {"a", "b", "c"}), ""), HasSubstr("a, b, c"));
   for (const char* other : {"middle", "wall"}) {
     const std::string said = refusalOf(cell, other);
     EXPECT_THAT(said, HasSubstr("cell.hcell"));
