@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -152,8 +151,11 @@ bool Layouts::bringBack() {
 
 void Layouts::addNewDocks(const QByteArray& state) {
   const auto isKept = [&](const QDockWidget* dock) {
-    QByteArray name;  // As QMainWindow::saveState() writes it.
-    QDataStream(&name, QIODevice::WriteOnly) << dock->objectName();
+    // As QMainWindow::saveState() writes a name: the number of bytes, then UTF-16, both with the high byte first.
+    const QString id = dock->objectName();
+    QByteArray name;
+    for (const int shift : {24, 16, 8, 0}) name.append(static_cast<char>(2 * id.size() >> shift));
+    for (const QChar letter : id) name.append(static_cast<char>(letter.row())).append(static_cast<char>(letter.cell()));
     return state.contains(name);
   };
   QDockWidget* onto = nullptr;
