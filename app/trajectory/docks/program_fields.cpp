@@ -8,6 +8,7 @@
 #include "app/kit/form.h"
 #include "app/trajectory/docks/named_field.h"
 #include "app/trajectory/motions/motion_export.h"
+#include "app/trajectory/motions/usual_format.h"
 #include "kinematics/model/robot_model.h"
 
 namespace hapticell::app {

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <algorithm>
 #include <limits>
 
@@ -19,7 +18,6 @@
 #include "app/trajectory/motions/motion_list.h"
 #include "exchange/recordings/recording_reader.h"
 #include "geometry/system/scratch_folder.h"
-#include "kinematics/model/configuration_flags.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/program_configuration.h"
 #include "manipulation/manipulators/arm_configuration.h"
@@ -175,22 +173,6 @@ const std::vector<MotionFormat>& motionFormats() {
       {"csv", QObject::tr("Table (.csv)"), ".csv", false},
       {"json", QObject::tr("HaptiCell trajectory (.htraj)"), ".htraj", false}};
   return kFormats;
-}
-
-QString usualFormat(const kinematics::RobotModel& model) {
-  switch (kinematics::makerOf(model)) {
-    case kinematics::Maker::kKuka: return "krl";
-    case kinematics::Maker::kAbb: return "rapid";
-    case kinematics::Maker::kFanuc: return "fanuc";
-    case kinematics::Maker::kUnknown: break;
-  }
-  const QString name = QString::fromStdString(model.name).toLower();
-  // ur5, ur10e, ur_20: not "turntable".
-  static const QRegularExpression kUniversal("(^|[^a-z])ur[ _]?(3|5|7|8|10|12|15|16|18|20|30)e?($|[^a-z0-9])");
-  if (kUniversal.match(name).hasMatch()) return "urscript";
-  if (name.contains("staubli") || name.contains("stäubli")) return "val3";
-  if (name.contains("motoman") || name.contains("yaskawa")) return "inform";
-  return "ros";
 }
 
 MotionExport::MotionExport(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host), list_(list) {}

@@ -9,10 +9,6 @@
 #include "trajectory/programs/writing/program_export.h"
 #include "trajectory/motion/trajectory.h"
 
-namespace hapticell::kinematics {
-struct RobotModel;
-}
-
 namespace hapticell::app {
 
 class Host;
@@ -26,8 +22,6 @@ struct MotionFormat {
   bool is_program = false;
 };
 const std::vector<MotionFormat>& motionFormats();
-/// The word of the format that the controller of this robot reads, by the names in its model; ROS 2 if they name no maker.
-QString usualFormat(const kinematics::RobotModel& model);
 
 /// Writes the current motion to a file or as a robot's program, and reads motions from files, in the background; a
 /// message reports the result. GUI thread.

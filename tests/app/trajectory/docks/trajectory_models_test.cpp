@@ -10,6 +10,7 @@
 #include "app/trajectory/motions/motion_work.h"
 #include "app/trajectory/motions/trace_curves.h"
 #include "app/trajectory/motions/track_rows.h"
+#include "app/trajectory/motions/usual_format.h"
 #include "app/trajectory/training/exercise_files.h"
 #include "kinematics/model/robot_model.h"
 #include "tests/support/test_data.h"
