@@ -13,9 +13,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// In `folder` or below, and not in a hidden folder there: of a document in the home folder, programs' own data are not
+/// next to it.
 bool standsBelow(const fs::path& file, const fs::path& folder) {
   const fs::path relative = file.lexically_normal().lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
+  const auto isHidden = [](const fs::path& part) { return part.native().starts_with('.'); };  // ".." too.
+  return !relative.empty() && std::none_of(relative.begin(), relative.end(), isHidden);
 }
 
 fs::path freeNameIn(const fs::path& folder, const fs::path& name, const std::vector<FileToWrite>& taken) {

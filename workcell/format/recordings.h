@@ -24,9 +24,9 @@ struct GatheredRecordings {
 std::filesystem::path recordingsFolder(const std::filesystem::path& document);
 
 /// Collects the recordings of a state that is to be saved at `document` (absolute), so that the document can be passed
-/// on together with the files next to it: copies those outside its folder and below into recordingsFolder(). Leaves
-/// those alone whose file is missing or is not a recording. Writes nothing: the files are to be written when the
-/// document is saved.
+/// on together with the files next to it: copies those outside its folder and below, or in a hidden folder there (a
+/// cell in the home folder), into recordingsFolder(). Leaves those alone whose file is missing or is not a recording.
+/// Writes nothing: the files are to be written when the document is saved.
 GatheredRecordings gatherRecordings(const DocumentState& state, const std::filesystem::path& document);
 
 }  // namespace hapticell::workcell

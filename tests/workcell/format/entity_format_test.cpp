@@ -5,8 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/support/test_data.h"
 #include "tests/workcell/document/every_command.h"
+#include "trajectory/files/trajectory_io.h"
 #include "workcell/entity/mechanism.h"
 #include "workcell/format/document_io.h"
 #include "workcell/format/format_context.h"
@@ -285,6 +288,23 @@ TEST(Recordings, AreGatheredBesideTheDocumentUnlessTheyAreThere) {
   const GatheredRecordings gathered = gatherRecordings(state, document);
   EXPECT_THAT(gathered.files, IsEmpty()) << "a stranger's document may name any file";
   EXPECT_THAT(gathered.moved, IsEmpty());
+}
+
+TEST(Recordings, OfACellInTheHomeFolderDoNotStayInTheUsersData) {
+  const test::TemporaryFolder home;
+  const fs::path data = home.path() / ".local/share/hapticell/trajectories";
+  fs::create_directories(data);
+  trajectory::Trajectory motion;
+  motion.entity = "box";
+  ASSERT_TRUE(motion.addFrame({.t = 0.0, .X_WT = {}}) && motion.addFrame({.t = 1.0, .X_WT = {}}));
+  const fs::path kept = data / "box-Take-1.htraj", beside = home.path() / "box.htraj";
+  for (const fs::path& file : {kept, beside}) std::ofstream(file) << trajectory::toJsonText(motion);
+  DocumentState state;
+  state.trajectories = {{"take", kept.string(), {}}, {"beside", beside.string(), {}}};
+  const GatheredRecordings gathered = gatherRecordings(state, home.path() / "cell.hcell");
+  ASSERT_THAT(gathered.files, SizeIs(1));
+  EXPECT_EQ(gathered.files[0].path, home.path() / "cell-trajectories" / "box-Take-1.htraj");
+  EXPECT_EQ(gathered.moved.at(kept.string()), gathered.files[0].path.string());
 }
 
 }  // namespace
