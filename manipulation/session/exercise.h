@@ -50,8 +50,9 @@ class TrainingRun {
   workcell::Guide guide() const;
   double share() const { return progress_.share(); }
   double help() const { return help_; }
-  /// The path is completed: the run can be ended.
-  bool isDone() const { return progress_.share() > 0.98; }
+  /// The path is completed: the run can be ended. It is half way between where a run counts as complete and the end, as
+  /// the recording that is scored has frames of other times than those given to follow().
+  bool isDone() const { return progress_.share() > 0.5 * (trajectory::kCompleteShare + 1.0); }
   const trajectory::Trajectory& expert() const { return expert_; }
   /// Time at which the expert was where the trainee is now, s since the start of the recording.
   double expertTime() const { return progress_.timeAt(progress_.way()) - expert_[0].t; }

@@ -193,11 +193,7 @@ TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const Sc
     farthest = progress.share();
     reached = run[i].t;
   }
-  // A hand that stops a hair before the end is there.
-  // Of the way: a hand that stops 2 % before the end is there. Half the rest: some runs are never complete; twice: a
-  // run is complete 4 % before.
-  constexpr double kThere = 0.98;
-  score.completed = farthest >= kThere ? 1.0 : farthest;
+  score.completed = farthest >= kCompleteShare ? 1.0 : farthest;
   score.time = reached - run[0].t;
   const Felt felt = forceOf(run);
   score.mean_force = felt.mean;

@@ -12,6 +12,10 @@
 
 namespace hapticell::trajectory {
 
+/// Share of the expert's way from which a run counts as complete: a hand that stops a hair before the end is there.
+// Half the rest: some runs are never complete; twice: a run is complete 4 % before the end.
+constexpr double kCompleteShare = 0.98;
+
 /// A trainee's run compared with the expert's motion.
 struct TrainingScore {
   double completed = 0.0;                            ///< Share of the expert's path that was completed, 0 .. 1.

@@ -150,7 +150,10 @@ TEST(TrainingRun, TheGuideGoesWithTheTraineeAndWaits) {
   for (int i = 0; i <= 50; ++i) run.follow(Pose::translation({0.004 * i, 0.003, 0}));
   EXPECT_NEAR(run.share(), 0.5, 0.01);
   EXPECT_NEAR(run.guide().path.back().x, 0.23, 0.005);
-  for (int i = 50; i <= 100; ++i) run.follow(Pose::translation({0.004 * i, 0.0, 0}));
+  for (double x = 0.2; x < 0.3945; x += 0.004) run.follow(Pose::translation({x, 0.0, 0}));
+  run.follow(Pose::translation({0.3945, 0.0, 0}));
+  EXPECT_FALSE(run.isDone()) << "complete, though not so clearly that its recording must be";
+  run.follow(Pose::translation({0.4, 0.0, 0}));
   EXPECT_TRUE(run.isDone());
   // Less help: a weaker pull in a wider tube; none: no guide.
   const TrainingRun half(exercise, expert, 0.5), none(exercise, expert, 0.0);

@@ -73,6 +73,34 @@ TEST(PathProgress, WaitsForTheTraineeAndIsNotJumpedAhead) {
   EXPECT_LT(length, 0.051);
 }
 
+/// The nearest place itself, so that the frames of a recording and the poses seen while it was made say the same.
+TEST(PathProgress, DoesNotDependOnWhereItWasBefore) {
+  Trajectory expert;
+  for (int i = 0; i <= 4; ++i) expert.addFrame({0.1 * i, Pose::translation({0.05 * i, 0, 0})});
+  const double end = 0.1973;
+  for (const double step : {0.0017, 0.0049, 0.011, 0.023}) {
+    PathProgress progress(expert);
+    for (double x = 0.0; x < end; x += step) progress.follow(Pose::translation({x, 0.002, 0}));
+    progress.follow(Pose::translation({end, 0.002, 0}));
+    EXPECT_NEAR(progress.way(), end, 5e-5) << step;
+  }
+}
+
+/// What ends a run by itself is complete, though the recording's frames lie a little before and after.
+TEST(ScoreRun, IsCompleteBeforeTheRunEndsByItself) {
+  const Trajectory expert = recordedGesture(10.0, 500, 0.0);
+  const PathProgress whole(expert);
+  Trajectory run;
+  for (int i = 0; i <= 985; ++i) run.addFrame({0.01 * i, whole.expertAt(0.001 * i * whole.length())});
+  EXPECT_EQ(scoreRun(expert, run, {}).completed, 1.0);
+  const Trajectory shorter = [&] {
+    Trajectory first;
+    for (std::size_t i = 0; i < 975; ++i) first.addFrame({0.01 * static_cast<double>(i), run[i].X_WT});
+    return first;
+  }();
+  EXPECT_NEAR(scoreRun(expert, shorter, {}).completed, 0.974, 2e-3);
+}
+
 TEST(ScoreRun, TheExpertHimselfHasAllPoints) {
   const Trajectory expert = recordedGesture(6.0, 100, 0.0);
   const TrainingScore score = scoreRun(expert, expert);
