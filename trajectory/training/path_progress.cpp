@@ -20,6 +20,14 @@ constexpr int kLooks = 8;
 // Halvings of the step around the best of these: 1/256 of it is below what a hand can feel (0.1 mm) for pieces of 20 cm.
 // Half: progress goes in steps that can be seen; twice: nothing is gained.
 constexpr int kHalvings = 8;
+// m from the last pose at which the expert first arrived, before settling there. Half: passing it beside is no arrival;
+// twice: a peg counts as in with 2 mm to go.
+constexpr double kArrived = 1e-3;
+// m around the last pose in which a hand settles: a box that was let go moved 1 to 2.9 mm in the recordings that were
+// looked at. Half: trainees who do not settle alike never finish; twice: a button pressed at the end is taken for it.
+constexpr double kSettling = 4e-3;
+// Of the length, for short motions. Half: 2 mm of 40, less than a mouse overshoots; twice: part of the task.
+constexpr double kSettlingShare = 0.1;
 
 }  // namespace
 
@@ -42,6 +50,26 @@ PathProgress::PathProgress(const Trajectory& expert, double metres_per_radian) :
     ways_.push_back(ways_.back() + way);
     times_.push_back(expert[i].t);
   }
+  arrival_ = arrivalWay();
+}
+
+double PathProgress::away(const Pose& X_WT, const Pose& X_WE) const {
+  const PoseDistance off = distanceBetween(X_WE, X_WT);
+  return off.position + metres_per_radian_ * off.angle;
+}
+
+/// The first way at which the expert was at the last pose and from which on he left it only by a little.
+double PathProgress::arrivalWay() const {
+  const double settling = std::min(kSettling, kSettlingShare * length());
+  double arrival = length();
+  for (std::size_t i = poses_.size() - 1; i-- > 0;) {
+    if (away(poses_[i + 1], poses_.back()) > settling) break;
+    for (int k = kLooks; k-- > 0;) {
+      const double way = ways_[i] + (ways_[i + 1] - ways_[i]) * k / kLooks;
+      if (away(expertAt(way), poses_.back()) <= std::min(kArrived, settling)) arrival = way;
+    }
+  }
+  return arrival;
 }
 
 std::size_t PathProgress::pieceAt(double way) const {
@@ -70,11 +98,10 @@ void PathProgress::follow(const Pose& X_WT, double reach) {
   const double from = std::max(0.0, way_ - reach), to = std::min(length(), way_ + reach);
   double nearest = std::numeric_limits<double>::infinity(), best = way_, step = 0.0;
   const auto look = [&](double way) {
-    const PoseDistance off = distanceBetween(expertAt(way), X_WT);
-    const double away = off.position + metres_per_radian_ * off.angle;
+    const double off = away(X_WT, expertAt(way));
     // Of places equally near, the one where it was.
-    if (away < nearest - 1e-9 || (away < nearest + 1e-9 && std::abs(way - way_) < std::abs(best - way_))) {
-      nearest = away;
+    if (off < nearest - 1e-9 || (off < nearest + 1e-9 && std::abs(way - way_) < std::abs(best - way_))) {
+      nearest = off;
       best = way;
     }
   };

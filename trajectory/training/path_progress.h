@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/shapes/pose.h"
@@ -21,7 +22,9 @@ class PathProgress {
   /// The total length, m (rotation included); 0 without motion.
   double length() const { return ways_.empty() ? 0.0 : ways_.back(); }
   double way() const { return way_; }
-  double share() const { return length() > 0.0 ? way_ / length() : 1.0; }
+  /// Share of the way to where the expert arrived, 0 .. 1: first within 1 mm of the last pose, and from there on within
+  /// 4 mm (or 10 % of the length, if that is less). A hand settles when it lets go, which nobody is asked to repeat.
+  double share() const { return arrival_ > 0.0 ? std::min(1.0, way_ / arrival_) : 1.0; }
   void restart() { way_ = 0.0; }
 
   /// Takes the trainee's pose and searches for the nearest place within `reach` (m of path length) of the last one.
@@ -37,10 +40,12 @@ class PathProgress {
 
  private:
   std::size_t pieceAt(double way) const;
+  double away(const Pose& X_WT, const Pose& X_WE) const;
+  double arrivalWay() const;
   std::vector<Pose> poses_;
   std::vector<double> ways_, times_;
   double metres_per_radian_ = 0.1;
-  double way_ = 0.0;
+  double way_ = 0.0, arrival_ = 0.0;
 };
 
 }  // namespace hapticell::trajectory

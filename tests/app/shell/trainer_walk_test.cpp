@@ -23,9 +23,10 @@ struct TrainerWalk : WalkPage {
     press(Qt::Key_H);
     press(Qt::Key_B);
     ASSERT_TRUE(until([this] { return now().stylus.held == box; }, kPatience));
-    for (int i = 0; i < 60 && !done(); ++i) {
-      drag(8, 0);
-      until(done, 60);
+    // Steps of a hand, and back a little where it went too far: on a slow machine a step is felt late.
+    for (int i = 0; i < 90 && !done(); ++i) {
+      drag(i < 60 ? 4 : -4, 0);
+      until(done, 30);
     }
     EXPECT_TRUE(until(done, kPatience));
     press(Qt::Key_B);

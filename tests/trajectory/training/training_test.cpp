@@ -86,9 +86,26 @@ TEST(PathProgress, DoesNotDependOnWhereItWasBefore) {
   }
 }
 
+/// Beyond the last place and back a little, as a held part does when it is let go: a trainee who does not do that is there.
+TEST(PathProgress, DoesNotAskToRepeatHowTheExpertSettled) {
+  Trajectory expert;
+  for (int i = 0; i <= 60; ++i) expert.addFrame({0.01 * i, Pose::translation({0.001 * i, 0, 0})});
+  for (int i = 1; i <= 24; ++i) expert.addFrame({0.6 + 0.01 * i, Pose::translation({0.06 - 1e-4 * i, 0, 0})});
+  PathProgress beyond(expert);
+  for (int i = 0; i <= 80; ++i) beyond.follow(Pose::translation({0.001 * i, 0, 0}));
+  EXPECT_EQ(beyond.share(), 1.0);
+  PathProgress before(expert);
+  for (int i = 0; i <= 50; ++i) before.follow(Pose::translation({0.001 * i, 0, 0}));
+  EXPECT_LT(before.share(), 0.92);
+  // Out and back again by more than that is part of the task.
+  PathProgress in(inAndOut());
+  for (int i = 0; i <= 100; ++i) in.follow(Pose::translation({0, 0, -0.0005 * i}));
+  EXPECT_NEAR(in.share(), 0.5, 0.02);
+}
+
 /// What ends a run by itself is complete, though the recording's frames lie a little before and after.
 TEST(ScoreRun, IsCompleteBeforeTheRunEndsByItself) {
-  const Trajectory expert = recordedGesture(10.0, 500, 0.0);
+  const Trajectory expert = recordedGesture(10.0, 200, 0.0);
   const PathProgress whole(expert);
   Trajectory run;
   for (int i = 0; i <= 985; ++i) run.addFrame({0.01 * i, whole.expertAt(0.001 * i * whole.length())});
@@ -98,7 +115,7 @@ TEST(ScoreRun, IsCompleteBeforeTheRunEndsByItself) {
     for (std::size_t i = 0; i < 975; ++i) first.addFrame({0.01 * static_cast<double>(i), run[i].X_WT});
     return first;
   }();
-  EXPECT_NEAR(scoreRun(expert, shorter, {}).completed, 0.974, 2e-3);
+  EXPECT_NEAR(scoreRun(expert, shorter, {}).completed, 0.974, 4e-3);
 }
 
 TEST(ScoreRun, TheExpertHimselfHasAllPoints) {
