@@ -69,7 +69,7 @@ Expected<ordered_json> publishCell(const PublishOptions& options, const std::ato
   HAPTICELL_TRY(scratch);
   auto description = robotDescription(**robot, options.folder.empty() ? scratch->path() : fs::path(options.folder), notes);
   HAPTICELL_TRY(description);
-  const auto link = watchedServer(options.server);
+  const auto link = watchedServer(options.server, "--server");
   HAPTICELL_TRY(link);
   auto node = RosNode::create(options.node);
   HAPTICELL_TRY(node);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/ros2/cell_sources.h"
 
-#include <cstdlib>
-
 #include "exchange/recordings/recording_reader.h"
+#include "haptic/client/server_address.h"
 #include "haptic/client/server_watch.h"
 #include "trajectory/files/trajectory_io.h"
 
@@ -38,11 +37,11 @@ Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& docu
   return replay;
 }
 
-Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server) {
+Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server, std::string_view option) {
   if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
-  const std::size_t colon = server.rfind(':');
-  return haptic::watchServer(server.substr(0, colon), static_cast<std::uint16_t>(std::atoi(server.c_str() + colon + 1)),
-                             "hapticell-ros2");
+  const auto address = haptic::parseServerAddress(server, option);
+  HAPTICELL_TRY(address);
+  return haptic::watchServer(address->host, address->port, "hapticell-ros2");
 }
 
 }  // namespace hapticell::bridge

@@ -11,6 +11,7 @@
 #include "bridge/ros2/cell_sources.h"
 #include "bridge/ros2/taken_samples.h"
 #include "bridge/ros2/trajectory_action.h"
+#include "geometry/system/packed_text.h"
 
 namespace hapticell::bridge {
 
@@ -247,6 +248,7 @@ class RunningMotion {
       std::this_thread::sleep_for(kPoll);
     }
     ordered_json result{{"outcome", toString(action_.state())}, {"reason", english(reason_)}};
+    if (options_.texts) result["reason_text"] = packed(reason_);
     if (const auto& said = action_.result()) {
       result["error_code"] = said->error_code;
       result["error"] = said->error;
@@ -278,7 +280,7 @@ Expected<ordered_json> sendMotion(const SendOptions& options, const std::atomic<
   if (options.confirmation != motion->confirmation)
     return makeError({options.motion.motion, {}, "the motion is not the one that was confirmed", "the confirmed motion",
                       "Preview it again and confirm what you see."});
-  auto link = watchedServer(options.hold);
+  auto link = watchedServer(options.hold, "--hold");
   HAPTICELL_TRY(link);
   HeldButton button(std::move(*link));
   auto node = RosNode::create(options.node);

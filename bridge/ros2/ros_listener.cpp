@@ -83,7 +83,7 @@ Expected<Readers> openReaders(RosNode& node, const ListenOptions& options) {
     readers.trajectory = *reader;
   }
   if (!options.description.empty()) {
-    const auto reader = node.subscribe("/robot_description", std_msgs_msg_dds__String__desc, RosQuality::kLatched);
+    const auto reader = node.subscribe(options.description_topic, std_msgs_msg_dds__String__desc, RosQuality::kLatched);
     HAPTICELL_TRY(reader);
     readers.description = *reader;
   }
@@ -178,7 +178,7 @@ Expected<ordered_json> listen(const ListenOptions& options, const std::atomic<bo
 
   if (readers->joints != 0 && joints.motion().empty()) return nothingCame(options.joint_topic, options.seconds);
   if (readers->trajectory != 0 && !trajectory) return nothingCame(options.trajectory_topic, options.seconds);
-  if (readers->description != 0 && description.empty()) return nothingCame("/robot_description", options.seconds);
+  if (readers->description != 0 && description.empty()) return nothingCame(options.description_topic, options.seconds);
   if (readers->scene != 0 && objects.size() == 0) return nothingCame("/planning_scene", options.seconds);
   ordered_json result;
   std::vector<FileToWrite> files;
