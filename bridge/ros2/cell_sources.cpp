@@ -23,8 +23,11 @@ Expected<std::shared_ptr<const Entity>> robotToPublish(const workcell::Document&
     ++robots;
   }
   if (entity.empty() && robots == 1) return found;
-  return makeError({cell, entity.empty() ? Text("robots") : Text("entity '%1'", entity),
-                    names.empty() ? Text("no robot") : Text("the robots %1", names), "one robot", "Name it by --entity."});
+  return makeError({.file = cell,
+                    .place = entity.empty() ? Text("robots") : Text("entity '%1'", entity),
+                    .found = names.empty() ? Text("no robot") : Text("the robots %1", names),
+                    .expected = "one robot",
+                    .fix = "Name it by --entity."});
 }
 
 Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& document, const Entity& robot,
