@@ -49,7 +49,7 @@ RobotLinkSection::RobotLinkSection(Host& host, const Ros2Network& network, Ros2T
   joints_ = new TopicChoice("choiceRos2Joints", topics, "sensor_msgs::msg::dds_::JointState_", "/joint_states");
   joints_->setToolTip(tr("Topic of the joint states that the robot here follows. Default: /joint_states"));
   addRow(section, tr("Joint states"), joints_);
-  start_ = makeButton("buttonRos2", tr("Start"));
+  start_ = makeButton("buttonRos2", tr("Start the link"));
   keep_ = makeButton("buttonRos2KeepPose", tr("Keep pose"), tr("Set the robot of the cell to the received joints, as one undo step"));
   section.addWidget(sideBySide({start_, keep_}));
   line_ = makeLive(3, TextRole::kSecond, true);
@@ -179,7 +179,7 @@ void RobotLinkSection::show() {
   way_->setEnabled(!is_on);
   joints_->setEnabled(!is_on && isMirror());
   start_->setEnabled(is_on || !robots.isEmpty());
-  start_->setText(is_on ? tr("Stop") : tr("Start"));
+  start_->setText(is_on ? tr("Stop the link") : tr("Start the link"));
   keep_->setEnabled(mirrors_ && !heard_.empty());
   if (!problem_.isEmpty()) return line_->setText(problem_);
   if (robots.isEmpty()) return line_->setText(tr("The cell has no robot."));

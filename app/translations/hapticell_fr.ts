@@ -6224,7 +6224,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Joint states</source>
-        <translation>États articulaires</translation>
+        <translation>Articulations</translation>
     </message>
     <message>
         <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
@@ -10195,6 +10195,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Démarrez le contrôleur, ou donnez un --wait plus long.</translation>
     </message>
     <message>
+        <source>Start the link</source>
+        <translation>Démarrer la liaison</translation>
+    </message>
+    <message>
         <source>Start the run</source>
         <translation>Commencer l'essai</translation>
     </message>
@@ -10285,6 +10289,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stop recording  (R)</source>
         <translation>Arrêter l'enregistrement  (R)</translation>
+    </message>
+    <message>
+        <source>Stop the link</source>
+        <translation>Arrêter la liaison</translation>
     </message>
     <message>
         <source>Stop the robot</source>
