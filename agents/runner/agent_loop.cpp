@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace hapticell::agents {
 
@@ -27,6 +28,19 @@ constexpr double kRemainingLever = 0.25;
 constexpr double kOwnClearance = 1e-3;
 /// m, of what is lost to rounding.
 constexpr double kRounding = 1e-9;
+/// rad or m of what moves most in a step back: less than a step at full speed. Half: draws back at half the speed; twice:
+/// faster than the figure moves.
+constexpr double kBackStep = 0.01;
+/// Steps that are kept, of a minute. Half: cannot draw back as far; twice: memory.
+constexpr std::size_t kMostKept = 3000;
+
+/// The most that the base (m, rad) or a joint moves between two configurations.
+double apart(const manipulation::EntityConfiguration& a, const manipulation::EntityConfiguration& b) {
+  const Twist way = difference(a.X_WE, b.X_WE);
+  double most = std::max(glm::length(way.linear), glm::length(way.angular));
+  for (std::size_t i = 0; i < a.joints.size(); ++i) most = std::max(most, std::abs(a.joints[i] - b.joints[i]));
+  return most;
+}
 
 }  // namespace
 
@@ -42,6 +56,7 @@ AgentLoop::AgentLoop(std::unique_ptr<MovedBody> body, Clearances clearances, std
 }
 
 bool AgentLoop::step() {
+  if (back_) return stepBack();
   std::vector<double> v = sumOfWishes();
   cutToSpeeds(v);
   bendAlong(v);
@@ -50,6 +65,35 @@ bool AgentLoop::step() {
   const bool moved = makeStep(std::move(v));
   way_.update(*body_);
   return moved;
+}
+
+void AgentLoop::drawBack(double far) {
+  back_ = Back{body_->handle().p, far};
+  way_ = FollowedWay();
+}
+
+bool AgentLoop::stepBack() {
+  t_ += kStep;
+  for (ShownWish& wish : wishes_) {
+    wish.arrow_W = dvec3(0.0);
+    wish.strength = 0.0;
+  }
+  double gone = 0.0;
+  while (gone < kBackStep && !came_.empty() && glm::length(body_->handle().p - back_->p_WM) < back_->far) {
+    std::unique_ptr<MovedBody> there = std::move(came_.back());
+    came_.pop_back();
+    // The proof of the step that led here, from where it was made.
+    clearances_.look(there->configuration(), kLook);
+    if (clearances_.safeShare(body_->configuration()) < 1.0) {
+      clearances_.look(body_->configuration(), kLook);
+      break;
+    }
+    gone += apart(there->configuration(), body_->configuration());
+    body_ = std::move(there);
+  }
+  if (gone > 0.0) return true;
+  back_.reset();
+  return false;
 }
 
 std::vector<double> AgentLoop::sumOfWishes() {
@@ -142,7 +186,8 @@ bool AgentLoop::makeStep(std::vector<double> v) {
         return pair.distance >= least - kRounding;
       });
       if (keeps) {
-        body_ = std::move(there);
+        came_.push_back(std::exchange(body_, std::move(there)));
+        if (came_.size() > kMostKept) came_.pop_front();
         return true;
       }
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,10 @@ class AgentLoop {
 
   /// One step. False: nothing could move.
   bool step();
+  /// From now on steps go back along the way that it came, until the moved frame is `far` (m) from where it is now, or the
+  /// way is at its end; agents wish nothing meanwhile, and a way that was followed is given up.
+  void drawBack(double far);
+  bool isDrawingBack() const { return back_.has_value(); }
 
   const MovedBody& body() const { return *body_; }
   double t() const { return t_; }
@@ -61,6 +67,12 @@ class AgentLoop {
   std::string handOverDeadlock();
 
  private:
+  /// Where drawing back began, and how far it goes, m.
+  struct Back {
+    dvec3 p_WM{0.0};
+    double far = 0.0;
+  };
+  bool stepBack();
   std::vector<double> sumOfWishes();
   void bendAlong(std::vector<double>& v) const;
   void cutToSpeeds(std::vector<double>& v) const;
@@ -74,6 +86,8 @@ class AgentLoop {
   std::vector<WeightedAgent> agents_;
   AgentGoal goal_;
   FollowedWay way_;
+  std::deque<std::unique_ptr<MovedBody>> came_;  ///< Where it was, oldest first.
+  std::optional<Back> back_;
   double clearance_;
   double t_ = 0.0;
   std::vector<ShownWish> wishes_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "agents/runner/planned_way.h"
 #include "agents/task/agent_section.h"
@@ -128,6 +129,8 @@ void AgentRun::judge() {
                           static_cast<int>(std::lround(cell_.task().time_limit)), Text::Length{loop_.remaining()});
     return;
   }
+  if (loop_.isDrawingBack()) return;
+  if (std::exchange(drew_back_, false)) return askPlanner();
   if (on_way_ != (loop_.way() != nullptr)) {
     on_way_ = loop_.way() != nullptr;
     watch_.restart(loop_.t(), remaining(), kWayTime);
@@ -137,48 +140,50 @@ void AgentRun::judge() {
 
 void AgentRun::onDeadlock() {
   ++result_.deadlocks;
-  const Text::Length left{loop_.remaining()};
-  Text nearest("nothing is near");
+  left_ = {loop_.remaining()};
+  nearest_ = Text("nothing is near");
   for (const NearPair& pair : loop_.near()) {
     // What is near of the cell; its own parts only where nothing of the cell is.
-    if (pair.other_link >= 0 && !nearest.arguments().empty()) continue;
-    nearest = Text("nearest: %1, %2", loop_.clearances().wordsOf(pair), Text::Length{pair.distance});
+    if (pair.other_link >= 0 && !nearest_.arguments().empty()) continue;
+    nearest_ = Text("nearest: %1, %2", loop_.clearances().wordsOf(pair), Text::Length{pair.distance});
     if (pair.other_link < 0) break;
   }
-  std::string taken_by;
-  if (!planner_ || result_.deadlocks <= kOperatorTries) taken_by = loop_.handOverDeadlock();
-  Text why;
-  if (taken_by.empty() && planner_ && followPlan(why)) {
-    result_.handed_over.push_back(
-        Text("no progress, %1 from the goal (%2); handed to the planner, whose way is followed", left, nearest));
-    return;
-  }
-  if (taken_by.empty()) taken_by = loop_.handOverDeadlock();
-  if (taken_by.empty() && !why.empty()) {
-    over_ = true;
-    result_.reason =
-        Text("no progress, %1 from the goal (%2), and the planner finds no way: %3; lead it by hand from here", left,
-             nearest, why);
-    result_.handed_over.push_back(result_.reason);
-    return;
-  }
-  if (taken_by.empty()) {
-    over_ = true;
-    result_.reason = Text("no progress, %1 from the goal (%2); lead it by hand from here, or plan a path", left,
-                          nearest);
-    result_.handed_over.push_back(result_.reason);
-    return;
-  }
-  result_.handed_over.push_back(
-      Text("no progress, %1 from the goal (%2); handed to the %3", left, nearest, taken_by));
+  if ((!planner_ || result_.deadlocks <= kOperatorTries) && giveToAgent()) return;
+  if (!planner_) return giveUp({});
+  if (plans_asked_ >= kMostPlans) return giveUp(Text("it was asked %1 times", plans_asked_));
+  const double back = backBeforePlan(loop_.body(), plans_asked_);
+  drew_back_ = back > 0.0;
+  if (!drew_back_) return askPlanner();
+  loop_.drawBack(back);
+}
+
+bool AgentRun::giveToAgent() {
+  const std::string taken_by = loop_.handOverDeadlock();
+  if (taken_by.empty()) return false;
+  result_.handed_over.push_back(Text("no progress, %1 from the goal (%2); handed to the %3", left_, nearest_, taken_by));
   watch_.restart(loop_.t(), remaining(), kOperatorTime);
+  return true;
+}
+
+void AgentRun::askPlanner() {
+  Text why;
+  if (!followPlan(why)) return giveUp(why);
+  result_.handed_over.push_back(
+      Text("no progress, %1 from the goal (%2); handed to the planner, whose way is followed", left_, nearest_));
+}
+
+/// An agent may still take it; else the run ends. `why` the planner finds no way; empty: it is not asked.
+void AgentRun::giveUp(const Text& why) {
+  if (giveToAgent()) return;
+  over_ = true;
+  result_.reason =
+      why.empty() ? Text("no progress, %1 from the goal (%2); lead it by hand from here, or plan a path", left_, nearest_)
+                  : Text("no progress, %1 from the goal (%2), and the planner finds no way: %3; lead it by hand from here",
+                         left_, nearest_, why);
+  result_.handed_over.push_back(result_.reason);
 }
 
 bool AgentRun::followPlan(Text& why) {
-  if (plans_asked_ >= kMostPlans) {
-    why = Text("it was asked %1 times", plans_asked_);
-    return false;
-  }
   PlannedWay planned =
       planWay(cell_, loop_.body(), loop_.goal(), seed_ + static_cast<std::uint64_t>(plans_asked_++));
   if (!planned.way) {

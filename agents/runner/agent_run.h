@@ -22,6 +22,9 @@ class AgentRun {
   void judge();
   void look();
   void onDeadlock();
+  bool giveToAgent();
+  void askPlanner();
+  void giveUp(const Text& why);
   bool followPlan(Text& why);
   double remaining() const;
 
@@ -29,13 +32,16 @@ class AgentRun {
   RunMode mode_;
   std::uint64_t seed_;
   bool planner_;
-  bool on_way_ = false;
+  bool on_way_ = false, drew_back_ = false;
   int plans_asked_ = 0;
   RunResult result_;
   AgentLoop loop_;
   DeadlockWatch watch_;
   bool over_ = false;
   int steps_ = 0;
+  // At the last deadlock.
+  Text::Length left_;
+  Text nearest_;
 };
 
 }  // namespace hapticell::agents

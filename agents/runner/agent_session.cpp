@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "agents/runner/deadlock_watch.h"
 #include "agents/runner/planned_way.h"
@@ -61,6 +62,7 @@ struct AgentSession::Work {
 
   void work();
   void step(std::unique_lock<std::mutex>& lock);
+  bool drewBack(std::unique_lock<std::mutex>& lock);
   void plan(std::unique_lock<std::mutex>& lock);
   void show();
   void meetDeadlock();
@@ -71,7 +73,7 @@ struct AgentSession::Work {
   const std::uint64_t seed;
   std::atomic<bool> ends{false};
   mutable std::mutex mutex;
-  std::condition_variable wanted;
+  std::condition_variable changed;  ///< What is wanted, or the state.
   // Guarded.
   State state;
   bool one_step = false;
@@ -79,6 +81,7 @@ struct AgentSession::Work {
   std::optional<Twist> hand;
   std::optional<double> wait_for_hand;
   int plans_left = 0;  ///< Deadlocks that go to the planner without a question.
+  bool asked = false;  ///< The planner was asked, and has not been reached yet.
   RunRecorder recorder;  ///< Written by the thread of the run alone.
   // Of the thread of the run.
   AgentLoop loop;
@@ -113,6 +116,7 @@ void AgentSession::Work::meetDeadlock() {
   if (plans_left > 0) {
     state.phase = Phase::kPlanning;
     state.says = {};
+    asked = true;
     return;
   }
   Text nearest("nothing is near");
@@ -157,6 +161,21 @@ void AgentSession::Work::step(std::unique_lock<std::mutex>& lock) {
   if (watch.update(loop.t(), loop.body().handle().p, remaining()) && state.phase == Phase::kRunning) meetDeadlock();
 }
 
+/// One step back before the planner is asked; true once it is where the way is to begin.
+bool AgentSession::Work::drewBack(std::unique_lock<std::mutex>& lock) {
+  const double back = backBeforePlan(loop.body(), kMostPlans - plans_left);
+  if (std::exchange(asked, false) && back > 0.0) loop.drawBack(back);
+  if (!loop.isDrawingBack()) return true;
+  lock.unlock();
+  loop.step();
+  lock.lock();
+  recorder.add(loop);
+  recorder.addWishes(loop);
+  ++state.steps;
+  show();
+  return false;
+}
+
 void AgentSession::Work::plan(std::unique_lock<std::mutex>& lock) {
   const std::uint64_t now = seed + static_cast<std::uint64_t>(state.plans++);
   plans_left = std::max(0, plans_left - 1);
@@ -181,18 +200,22 @@ void AgentSession::Work::work() {
   auto next = Clock::now();
   std::unique_lock lock(mutex);
   while (!ends) {
-    if (state.phase == Phase::kPlanning) {
+    if (state.phase == Phase::kPlanning && drewBack(lock)) {
       plan(lock);
+      changed.notify_all();
       next = Clock::now();
-    } else if (state.phase == Phase::kRunning || one_step) {
-      one_step = false;
-      step(lock);
+    } else if (state.phase == Phase::kPlanning || state.phase == Phase::kRunning || one_step) {
+      if (state.phase != Phase::kPlanning) {
+        one_step = false;
+        step(lock);
+      }
+      changed.notify_all();
       next = std::max(next + std::chrono::duration_cast<Clock::duration>(
                                  std::chrono::duration<double>(AgentLoop::kStep)),
                       Clock::now());
-      wanted.wait_until(lock, next, [this] { return ends.load(); });
+      changed.wait_until(lock, next, [this] { return ends.load(); });
     } else {
-      wanted.wait(lock, [this] {
+      changed.wait(lock, [this] {
         return ends || one_step || state.phase == Phase::kRunning || state.phase == Phase::kPlanning;
       });
       next = Clock::now();
@@ -210,7 +233,7 @@ AgentSession::~AgentSession() {
     const std::lock_guard lock(work_->mutex);
     work_->ends = true;
   }
-  work_->wanted.notify_all();
+  work_->changed.notify_all();
   work_->thread.join();
 }
 
@@ -219,13 +242,14 @@ void AgentSession::run() {
   if (work_->state.phase == Phase::kPlanning || work_->state.phase == Phase::kArrived) return;
   work_->state.phase = Phase::kRunning;
   work_->state.says = {};
-  work_->wanted.notify_all();
+  work_->changed.notify_all();
 }
 
 void AgentSession::pause() {
   const std::lock_guard lock(work_->mutex);
   work_->plans_left = 0;
   if (work_->state.phase == Phase::kRunning) work_->state.phase = Phase::kPaused;
+  work_->changed.notify_all();
 }
 
 void AgentSession::stepOnce() {
@@ -234,7 +258,7 @@ void AgentSession::stepOnce() {
   if (state.phase == Phase::kPlanning || state.phase == Phase::kArrived) return;
   state.phase = Phase::kPaused;
   work_->one_step = true;
-  work_->wanted.notify_all();
+  work_->changed.notify_all();
 }
 
 void AgentSession::setAgent(const std::string& name, bool enabled, double weight) {
@@ -252,8 +276,9 @@ void AgentSession::askPlanner() {
   if (work_->state.phase == Phase::kPlanning || work_->state.phase == Phase::kArrived) return;
   work_->state.phase = Phase::kPlanning;
   work_->state.says = {};
+  work_->asked = true;
   work_->plans_left = kMostPlans;
-  work_->wanted.notify_all();
+  work_->changed.notify_all();
 }
 
 void AgentSession::takeByHand() {
@@ -263,12 +288,17 @@ void AgentSession::takeByHand() {
   work_->state.says = {};
   work_->wait_for_hand = kHandTime;
   work_->plans_left = 0;
-  work_->wanted.notify_all();
+  work_->changed.notify_all();
 }
 
 AgentSession::State AgentSession::state() const {
   const std::lock_guard lock(work_->mutex);
   return work_->state;
+}
+
+bool AgentSession::waitUntil(const std::function<bool(const State&)>& is_so, double seconds) const {
+  std::unique_lock lock(work_->mutex);
+  return work_->changed.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return is_so(work_->state); });
 }
 
 trajectory::Trajectory AgentSession::motion() const {

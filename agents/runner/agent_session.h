@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,7 @@ class AgentSession {
     kPaused,
     kRunning,
     kDeadlocked,  ///< No progress; it waits for askPlanner(), takeByHand() or run().
-    kPlanning,    ///< The planner is asked.
+    kPlanning,    ///< The planner is asked; a mannequin may draw back first, along the way that it came.
     kArrived,     ///< At the goal, and what is looked at is seen.
   };
   /// What there is to be shown.
@@ -57,6 +58,9 @@ class AgentSession {
   void takeByHand();
 
   State state() const;
+  /// Blocks until the state is as asked, at most for `seconds`; false: it is not. It is looked at after each step, plan and
+  /// call; `is_so` calls nothing of the session.
+  bool waitUntil(const std::function<bool(const State&)>& is_so, double seconds) const;
   /// The run so far.
   trajectory::Trajectory motion() const;
   std::string wishes() const;

@@ -21,6 +21,9 @@ constexpr double kNoTimeLimit = 1e6;
 constexpr double kHandRadii[] = {0.12, 0.09, 0.06, 0.04};
 /// Shares of the straight way back to the run's start where a way may begin: a hand that is caught draws back first.
 constexpr double kBack[] = {0.0, 0.15, 0.3, 0.5, 0.75, 1.0};
+/// m of drawing back before the second way and each further one. Half: planned from where it was caught, in vain; twice:
+/// the way in is made again.
+constexpr double kBackStep = 0.15;
 /// Of the goal's tolerances, within which a planned goal lies. Half: fewer goals; twice: ends outside.
 constexpr double kWithin = 0.5;
 
@@ -137,6 +140,10 @@ PlannedWay ofHand(const AgentCell& cell, const MovedBody& body, const AgentGoal&
 }
 
 }  // namespace
+
+double backBeforePlan(const MovedBody& body, int plans_before) {
+  return body.figure() == nullptr ? 0.0 : kBackStep * plans_before;
+}
 
 PlannedWay planWay(const AgentCell& cell, const MovedBody& body, const AgentGoal& goal, std::uint64_t seed,
                    const std::atomic<bool>* stop) {

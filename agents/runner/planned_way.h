@@ -13,6 +13,11 @@ namespace hapticell::agents {
 /// Ways that are asked for in a row. Half: gives up where the third way works; twice: no more runs are solved.
 inline constexpr int kMostPlans = 6;
 
+/// m to draw back along the way that it came, before the planner is asked once more: after the first way that led to
+/// nothing, and ever farther. Only for a mannequin, whose body may be caught where the way of its hand is free; 0 for the
+/// others, whose ways begin exactly where they are.
+double backBeforePlan(const MovedBody& body, int plans_before);
+
 /// What the planner answered to agents that are stuck.
 struct PlannedWay {
   std::optional<FollowedWay> way;

@@ -15,8 +15,9 @@ namespace {
 constexpr double kJointReached = 0.02;
 /// m, and a radian counting kWayLever m, within which a frame is reached. Half: stops at corners; twice: cuts them.
 constexpr double kFrameReached = 0.025, kWayLever = 0.25;
-/// 1/s: the last stretch before a stop takes this share of the way a second. Half: slower at corners; twice: overshoots.
-constexpr double kStopApproach = 5.0;
+/// 1/s: the last stretch before a stop takes this share of the way a second; corners of frames are passed at full speed,
+/// because other agents hold back who slows down. Half: slower at the end; twice: overshoots.
+constexpr double kStopApproach = 5.0, kCornerApproach = 25.0;
 
 double wayBetween(const FollowedWay::Stop& a, const FollowedWay::Stop& b) {
   if (a.joints.empty()) return glm::length(a.X_WM.p - b.X_WM.p);
@@ -62,8 +63,9 @@ std::vector<double> FollowedWay::velocities(const MovedBody& body, double speed,
     const Twist way = difference(stop.X_WM, body.handle());
     PointWish wish{body.handleLink(), body.handle().p, {}, with_turn_};
     const double length = glm::length(way.linear), turn = glm::length(way.angular);
-    if (length > 1e-9) wish.velocity.linear = std::min(kStopApproach, speed / length) * way.linear;
-    if (with_turn_ && turn > 1e-9) wish.velocity.angular = std::min(kStopApproach, turn_speed / turn) * way.angular;
+    const double most = next_ + 1 < stops_.size() ? kCornerApproach : kStopApproach;
+    if (length > 1e-9) wish.velocity.linear = std::min(most, speed / length) * way.linear;
+    if (with_turn_ && turn > 1e-9) wish.velocity.angular = std::min(most, turn_speed / turn) * way.angular;
     return follow(body, wish);
   }
   // Straight in joint space, as it was planned; the slowest joint decides.

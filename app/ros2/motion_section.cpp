@@ -16,7 +16,9 @@
 #include "app/ros2/ros2_network.h"
 #include "app/style/library_text.h"
 #include "app/style/live_label.h"
+#include "app/style/plain_lines.h"
 #include "app/style/value_field.h"
+#include "geometry/system/packed_text.h"
 
 namespace hapticell::app {
 
@@ -137,7 +139,8 @@ void MotionSection::finish(const QJsonObject& result, const QString& sentence) {
   } else if (outcome == "rejected") {
     says_ = tr("The controller refused the motion.");
   } else {
-    const QString why = result.value(outcome == "canceled" ? "reason" : "error").toString();
+    const auto reason = unpackedText(result.value("reason_text").toString().toStdString());
+    const QString why = outcome == "canceled" && reason ? shownText(*reason) : plainLines(result.value("error").toString());
     says_ = tr("The robot stopped before the end of the motion: %1").arg(why);
   }
   show();

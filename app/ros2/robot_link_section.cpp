@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QJsonArray>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "app/host/host.h"
 #include "app/kit/form.h"
 #include "app/ros2/ros2_network.h"
+#include "app/ros2/ros2_topics.h"
 #include "app/style/library_text.h"
 #include "app/style/live_label.h"
 #include "app/style/segmented.h"
@@ -30,24 +30,10 @@ QJsonArray jsonOf(const std::vector<double>& numbers) {
   return list;
 }
 
-/// "/tf  tf2_msgs/TFMessage  1 publisher" as a line each.
-QString linesOf(const QJsonArray& topics) {
-  QStringList lines;
-  for (const auto& value : topics) {
-    const QJsonObject topic = value.toObject();
-    const QString type = topic.value("type").toString().replace("::msg::dds_::", "/").replace("::action::dds_::", "/").chopped(1);
-    lines << QStringLiteral("%1\n    %2, %3 → %4")
-                 .arg(topic.value("name").toString(), type)
-                 .arg(topic.value("publishers").toInt())
-                 .arg(topic.value("subscribers").toInt());
-  }
-  return lines.join('\n');
-}
-
 }  // namespace
 
-RobotLinkSection::RobotLinkSection(Host& host, const Ros2Network& network, QWidget* parent)
-    : QWidget(parent), host_(host), network_(network) {
+RobotLinkSection::RobotLinkSection(Host& host, const Ros2Network& network, Ros2Topics& topics, QWidget* parent)
+    : QWidget(parent), host_(host), network_(network), topics_(topics) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout& section = *addSection(*column, tr("Robot"));
@@ -57,25 +43,21 @@ RobotLinkSection::RobotLinkSection(Host& host, const Ros2Network& network, QWidg
   way_ = new Segmented({tr("Publish"), tr("Mirror")});
   way_->setObjectName("segmentsRos2Way");
   way_->setToolTip(tr("Publish: joints, frames, description and scene of the robot as it moves here. Mirror: the robot here "
-                      "follows /joint_states."));
+                      "follows the joint states of another program."));
   way_->setCurrent(0);
   addRow(section, tr("Direction"), way_);
-  start_ = makeButton("buttonRos2", tr("Start"));
+  joints_ = new TopicChoice("choiceRos2Joints", topics, "sensor_msgs::msg::dds_::JointState_", "/joint_states");
+  joints_->setToolTip(tr("Topic of the joint states that the robot here follows. Default: /joint_states"));
+  addRow(section, tr("Joint states"), joints_);
+  start_ = makeButton("buttonRos2", tr("Start the link"));
   keep_ = makeButton("buttonRos2KeepPose", tr("Keep pose"), tr("Set the robot of the cell to the received joints, as one undo step"));
   section.addWidget(sideBySide({start_, keep_}));
   line_ = makeLive(3, TextRole::kSecond, true);
   line_->setObjectName("labelRos2");
   section.addWidget(line_);
-  QVBoxLayout& others = *addSection(*column, tr("Topics of other programs (publishers → subscribers)"));
-  topics_ = new QPlainTextEdit;
-  topics_->setObjectName("textRos2Topics");
-  topics_->setReadOnly(true);
-  topics_->setFixedHeight(110);
-  topics_->setTabChangesFocus(true);
-  topics_->setAccessibleName(tr("Topics of other programs"));
-  others.addWidget(topics_);
   timer_.setInterval(kPoseMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &RobotLinkSection::sendPose);
+  connect(way_, &Segmented::chosen, this, &RobotLinkSection::show);
   connect(start_, &QPushButton::clicked, this, &RobotLinkSection::toggle);
   connect(keep_, &QPushButton::clicked, this, &RobotLinkSection::keepPose);
   connect(&process_, &Ros2Process::said, this, &RobotLinkSection::take);
@@ -122,6 +104,7 @@ void RobotLinkSection::begin() {
   job["workcell"] = *copy;
   job["entity"] = robot_->currentText();
   job["mirror"] = isMirror();
+  job["joint_topic"] = joints_->topic();
   process_.start(job);
   if (isMirror()) {
     host_.documentModel().beginTrial();
@@ -146,9 +129,11 @@ void RobotLinkSection::sendPose() {
 void RobotLinkSection::take(const QJsonObject& line) {
   if (line.contains("heard")) return takeHeard(line.value("heard").toArray());
   if (!line.contains("topics")) return;
-  topics_->setPlainText(linesOf(line.value("topics").toArray()));
+  topics_.take(line.value("topics").toArray());
   if (mirrors_) {
-    figures_ = tr("On. The robot follows /joint_states, %1 messages a second.").arg(qRound(line.value("heard_hz").toDouble()));
+    figures_ = tr("On. The robot follows %1, %2 messages a second.")
+                   .arg(joints_->topic())
+                   .arg(qRound(line.value("heard_hz").toDouble()));
   } else {
     figures_ = tr("On. Published joint states: %1; programs that read them: %2")
                    .arg(line.value("published").toObject().value("/joint_states").toInt())
@@ -176,7 +161,6 @@ void RobotLinkSection::finish(const QString& sentence) {
   timer_.stop();
   problem_ = sentence;
   if (std::exchange(mirrors_, false)) host_.documentModel().endTrial();
-  topics_->clear();
   show();
 }
 
@@ -193,8 +177,9 @@ void RobotLinkSection::show() {
   }
   robot_->setEnabled(!is_on);
   way_->setEnabled(!is_on);
+  joints_->setEnabled(!is_on && isMirror());
   start_->setEnabled(is_on || !robots.isEmpty());
-  start_->setText(is_on ? tr("Stop") : tr("Start"));
+  start_->setText(is_on ? tr("Stop the link") : tr("Start the link"));
   keep_->setEnabled(mirrors_ && !heard_.empty());
   if (!problem_.isEmpty()) return line_->setText(problem_);
   if (robots.isEmpty()) return line_->setText(tr("The cell has no robot."));

@@ -9,7 +9,6 @@
 #include "workcell/entity/entity.h"
 
 class QComboBox;
-class QPlainTextEdit;
 class QPushButton;
 
 namespace hapticell::app {
@@ -17,14 +16,16 @@ namespace hapticell::app {
 class Host;
 class LiveLabel;
 class Ros2Network;
+class Ros2Topics;
 class Segmented;
+class TopicChoice;
 
 /// Publishes a robot of the cell as it moves in the window, or lets it follow the joint states of another program. What
 /// it follows is a trial: the cell changes only by *Keep pose*. GUI thread.
 class RobotLinkSection : public QWidget {
   Q_OBJECT
  public:
-  RobotLinkSection(Host& host, const Ros2Network& network, QWidget* parent = nullptr);
+  RobotLinkSection(Host& host, const Ros2Network& network, Ros2Topics& topics, QWidget* parent = nullptr);
 
  private:
   void toggle();
@@ -39,14 +40,15 @@ class RobotLinkSection : public QWidget {
 
   Host& host_;
   const Ros2Network& network_;
+  Ros2Topics& topics_;
   Ros2Process process_;
   CellCopy copy_;
   QTimer timer_;
   QComboBox* robot_;
   Segmented* way_;
+  TopicChoice* joints_;
   QPushButton *start_, *keep_;
   LiveLabel* line_;
-  QPlainTextEdit* topics_;
   workcell::EntityId entity_ = 0;
   std::vector<double> heard_;
   QString figures_, problem_;

@@ -13,9 +13,11 @@
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/top_menus.h"
+#include "app/ros2/description_section.h"
 #include "app/ros2/motion_section.h"
 #include "app/ros2/robot_link_section.h"
 #include "app/ros2/ros2_network.h"
+#include "app/ros2/ros2_topics.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 
@@ -29,7 +31,10 @@ void addRos2Dock(Host& host) {
   column->setSpacing(0);
   auto* network = new Ros2Network;
   column->addWidget(network);
-  column->addWidget(new RobotLinkSection(host, *network));
+  auto* topics = new Ros2Topics(*network);
+  column->addWidget(topics);
+  column->addWidget(new RobotLinkSection(host, *network, *topics));
+  column->addWidget(new DescriptionSection(host, *network, *topics));
   column->addWidget(new MotionSection(host, *network));
   column->addStretch(1);
   QDockWidget* dock = makeDock("dockRos2", QObject::tr("ROS 2"), scrolledPanel(panel, 332));

@@ -25,7 +25,7 @@ Ros2Network::Ros2Network(QWidget* parent)
 }
 
 QJsonObject Ros2Network::job(const QString& what) const {
-  return {{"do", what}, {"domain", domain_->value()}, {"this_machine", this_machine_->isChecked()}};
+  return {{"do", what}, {"domain", domain_->value()}, {"this_machine", this_machine_->isChecked()}, {"texts", true}};
 }
 
 }  // namespace hapticell::app

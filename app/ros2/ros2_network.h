@@ -15,7 +15,7 @@ class Ros2Network : public QWidget {
   Q_OBJECT
  public:
   explicit Ros2Network(QWidget* parent = nullptr);
-  /// A job of hapticell-ros2 with the fields `domain` and `this_machine`.
+  /// A job of hapticell-ros2 with the fields `domain` and `this_machine`, whose sentences come as texts.
   QJsonObject job(const QString& what) const;
 
  private:

@@ -5,7 +5,9 @@
 #include <QDir>
 #include <QJsonDocument>
 
+#include "app/style/library_text.h"
 #include "app/style/plain_lines.h"
+#include "geometry/system/packed_text.h"
 
 namespace hapticell::app {
 
@@ -29,6 +31,7 @@ Ros2Process::~Ros2Process() {
 void Ros2Process::start(const QJsonObject& job) {
   if (isRunning()) return;
   last_ = {};
+  failure_.clear();
   process_.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell-ros2"),
                  {QString::fromUtf8(QJsonDocument(job).toJson(QJsonDocument::Compact))});
 }
@@ -49,6 +52,14 @@ void Ros2Process::readLines() {
     const QJsonDocument line = QJsonDocument::fromJson(process_.readLine());
     if (!line.isObject()) continue;
     last_ = line.object();
+    if (last_.contains("failure")) {
+      auto error = unpackedError(last_.value("failure").toString().toStdString());
+      if (error) {
+        error->file = last_.value("file").toString().toStdString();
+        failure_ = shownText(*error);
+      }
+      continue;
+    }
     emit said(last_);
   }
 }
@@ -58,6 +69,7 @@ void Ros2Process::finish() {
   const bool is_done = process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
   QString sentence = plainLines(QString::fromUtf8(process_.readAllStandardError()).trimmed());
   if (sentence.startsWith("hapticell-cli: ")) sentence.remove(0, 15);
+  if (!failure_.isEmpty()) sentence = failure_;
   if (!is_done && sentence.isEmpty()) sentence = tr("The link to ROS 2 stopped unexpectedly. Start it again.");
   emit ended(is_done ? last_ : QJsonObject(), sentence);
 }

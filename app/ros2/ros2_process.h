@@ -33,6 +33,7 @@ class Ros2Process : public QObject {
 
   QProcess process_;
   QJsonObject last_;
+  QString failure_;
 };
 
 }  // namespace hapticell::app

@@ -19,6 +19,7 @@
 #include "app/import/file_work.h"
 #include "app/kit/file_dialog.h"
 #include "app/panels/tree/tree_edits.h"
+#include "app/ros2/description_section.h"
 #include "app/shell/action_watch.h"
 #include "app/shell/crash_guard.h"
 #include "app/shell/crash_report.h"
@@ -58,6 +59,8 @@ void MainWindow::connectFileActions() {
   });
   on(actions_->edit.isolate, [this] { isolateEntities(document_, selection_.all()); });
   on(actions_->edit.show_all, [this] { showAll(document_); });
+  if (auto* robot = findChild<DescriptionSection*>())
+    connect(robot, &DescriptionSection::received, this, [this](const QString& path) { importFiles({path}); });
   connect(actions_->file.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->edit.undo, &QAction::triggered, &document_, &DocumentModel::undo);
   connect(actions_->edit.redo, &QAction::triggered, &document_, &DocumentModel::redo);

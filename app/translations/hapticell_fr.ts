@@ -579,6 +579,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est au but.</translation>
     </message>
     <message>
+        <source>%1 is being imported. The messages show what was noticed.</source>
+        <translation>%1 est en cours d'importation. Les messages montrent ce qui a été remarqué.</translation>
+    </message>
+    <message>
         <source>%1 is empty</source>
         <translation>un %1 vide</translation>
     </message>
@@ -2179,6 +2183,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--chunk</translation>
     </message>
     <message>
+        <source>--contacts</source>
+        <translation>--contacts</translation>
+    </message>
+    <message>
         <source>--device</source>
         <translation>--device</translation>
     </message>
@@ -2215,6 +2223,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--mode</translation>
     </message>
     <message>
+        <source>--motion is missing</source>
+        <translation>--motion manque</translation>
+    </message>
+    <message>
         <source>--motion with a recorded motion</source>
         <translation>un mouvement enregistré à lire avec ces options</translation>
     </message>
@@ -2225,6 +2237,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--output</source>
         <translation>--output</translation>
+    </message>
+    <message>
+        <source>--output, --trajectory, --description, --entity or --objects</source>
+        <translation>--output, --trajectory, --description, --entity ou --objects</translation>
     </message>
     <message>
         <source>--part</source>
@@ -2325,6 +2341,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--tolerance, --angle-tolerance</source>
         <translation>--tolerance, --angle-tolerance</translation>
+    </message>
+    <message>
+        <source>--trajectory</source>
+        <translation>--trajectory</translation>
     </message>
     <message>
         <source>--unit</source>
@@ -3639,6 +3659,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier le mécanisme</translation>
     </message>
     <message>
+        <source>Change the motion. 'trajectory check' lists all findings.</source>
+        <translation>Modifiez le mouvement. « trajectory check » énumère tous les constats.</translation>
+    </message>
+    <message>
         <source>Change your own measures together, or leave some of them to the regressions.</source>
         <translation>Modifiez ensemble les mesures propres, ou laissez-en certaines aux régressions.</translation>
     </message>
@@ -3669,6 +3693,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Check %1 for collision</source>
         <translation>Vérifier les collisions de %1</translation>
+    </message>
+    <message>
+        <source>Check ROS_DOMAIN_ID on both sides, and that the network lets multicast through.</source>
+        <translation>Vérifiez ROS_DOMAIN_ID des deux côtés, et que le réseau laisse passer le multicast.</translation>
     </message>
     <message>
         <source>Check and send …</source>
@@ -3741,6 +3769,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Check the motion in the cell, then ask before the robot moves</source>
         <translation>Vérifier le mouvement dans la cellule, puis demander avant que le robot bouge</translation>
+    </message>
+    <message>
+        <source>Check the network in both directions.</source>
+        <translation>Vérifiez le réseau dans les deux sens.</translation>
+    </message>
+    <message>
+        <source>Check the network interface and CYCLONEDDS_URI.</source>
+        <translation>Vérifiez l'interface réseau et CYCLONEDDS_URI.</translation>
     </message>
     <message>
         <source>Check the options for this cluster; the script stays in the folder.</source>
@@ -4431,6 +4467,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cylindre</translation>
     </message>
     <message>
+        <source>DDS to work</source>
+        <translation>que DDS fonctionne</translation>
+    </message>
+    <message>
         <source>DEF is missing</source>
         <translation>pas de DEF</translation>
     </message>
@@ -4489,6 +4529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Describe the task for the trainee.</source>
         <translation>Décrivez la tâche de l'apprenant.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Description</translation>
     </message>
     <message>
         <source>Detach</source>
@@ -5007,6 +5051,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyenne</translation>
     </message>
     <message>
+        <source>Fast DDS or Cyclone DDS</source>
+        <translation>Fast DDS ou Cyclone DDS</translation>
+    </message>
+    <message>
         <source>Fastest within limits</source>
         <translation>Au plus vite dans les limites</translation>
     </message>
@@ -5097,6 +5145,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Find the way out</source>
         <translation>Chercher la sortie</translation>
+    </message>
+    <message>
+        <source>Find topics</source>
+        <translation>Chercher les topics</translation>
     </message>
     <message>
         <source>Fine</source>
@@ -5811,6 +5863,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
     <message>
+        <source>Hold it before the motion begins.</source>
+        <translation>Tenez-le enfoncé avant le début du mouvement.</translation>
+    </message>
+    <message>
         <source>Hold one part</source>
         <translation>Tenir une pièce</translation>
     </message>
@@ -5907,6 +5963,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer de la CAO ou un robot…</translation>
     </message>
     <message>
+        <source>Import a robot</source>
+        <translation>Importer un robot</translation>
+    </message>
+    <message>
         <source>Import all</source>
         <translation>Tout importer</translation>
     </message>
@@ -5937,6 +5997,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Import — %1</source>
         <translation>Importer — %1</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importer …</translation>
     </message>
     <message>
         <source>Imported motion</source>
@@ -6157,6 +6221,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint margin</source>
         <translation>Marge articulaire</translation>
+    </message>
+    <message>
+        <source>Joint states</source>
+        <translation>Articulations</translation>
     </message>
     <message>
         <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
@@ -6547,6 +6615,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
+        <source>Look for programs of ROS 2 in the network for three seconds</source>
+        <translation>Chercher pendant trois secondes les programmes ROS 2 du réseau</translation>
+    </message>
+    <message>
+        <source>Looking for programs of ROS 2 …</source>
+        <translation>Recherche de programmes ROS 2 …</translation>
+    </message>
+    <message>
         <source>Looking for the controller and the robot …</source>
         <translation>Recherche du contrôleur et du robot …</translation>
     </message>
@@ -6895,6 +6971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Faire bouger le robot</translation>
     </message>
     <message>
+        <source>Move the robot there, or record a motion that begins where it is.</source>
+        <translation>Amenez-y le robot, ou enregistrez un mouvement qui commence là où il se trouve.</translation>
+    </message>
+    <message>
         <source>Move the selected entity</source>
         <translation>Déplacer l’entité sélectionnée</translation>
     </message>
@@ -7043,8 +7123,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nommez moins d'axes actionnés, ou d'autres.</translation>
     </message>
     <message>
+        <source>Name it by --entity.</source>
+        <translation>Nommez-le par --entity.</translation>
+    </message>
+    <message>
         <source>Name of the pose (home replaces home)</source>
         <translation>Nom de la pose (home remplace home)</translation>
+    </message>
+    <message>
+        <source>Name the form of its services by --services.</source>
+        <translation>Nommez la forme de ses services par --services.</translation>
     </message>
     <message>
         <source>Name, manufacturer, type or payload</source>
@@ -7443,6 +7531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun stylet n'est connecté. Le guide se voit, sans se sentir.</translation>
     </message>
     <message>
+        <source>No topics were found. Check the domain and the network.</source>
+        <translation>Aucun topic n'a été trouvé. Vérifiez le domaine et le réseau.</translation>
+    </message>
+    <message>
         <source>No way out was found for %1.</source>
         <translation>Aucun chemin de sortie n'a été trouvé pour %1.</translation>
     </message>
@@ -7691,8 +7783,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Activé. États articulaires publiés : %1 ; programmes qui les lisent : %2</translation>
     </message>
     <message>
-        <source>On. The robot follows /joint_states, %1 messages a second.</source>
-        <translation>Activé. Le robot suit /joint_states, %1 messages par seconde.</translation>
+        <source>On. The robot follows %1, %2 messages a second.</source>
+        <translation>Activé. Le robot suit %1, %2 messages par seconde.</translation>
     </message>
     <message>
         <source>On. Viewers watching: %1</source>
@@ -8583,12 +8675,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Préréglage</translation>
     </message>
     <message>
+        <source>Press 'Find topics' to see what other programs publish.</source>
+        <translation>Appuyez sur « Chercher les topics » pour voir ce que publient d'autres programmes.</translation>
+    </message>
+    <message>
         <source>Press Ctrl+Space to turn them on</source>
         <translation>Ctrl+Espace les met en marche</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
         <translation>Pressez les boutons ici, avec Ctrl, Alt, Maj</translation>
+    </message>
+    <message>
+        <source>Press the emergency stop of the robot cell.</source>
+        <translation>Appuyez sur l'arrêt d'urgence de la cellule robotisée.</translation>
+    </message>
+    <message>
+        <source>Preview it again and confirm what you see.</source>
+        <translation>Affichez de nouveau l'aperçu et confirmez ce que vous voyez.</translation>
     </message>
     <message>
         <source>Previous folder</source>
@@ -8623,8 +8727,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Publier</translation>
     </message>
     <message>
-        <source>Publish: joints, frames, description and scene of the robot as it moves here. Mirror: the robot here follows /joint_states.</source>
-        <translation>Publier : articulations, repères, description et scène du robot tel qu'il bouge ici. Miroir : le robot suit ici /joint_states.</translation>
+        <source>Publish: joints, frames, description and scene of the robot as it moves here. Mirror: the robot here follows the joint states of another program.</source>
+        <translation>Publier : articulations, repères, description et scène du robot tel qu'il bouge ici. Miroir : le robot suit ici les états articulaires d'un autre programme.</translation>
     </message>
     <message>
         <source>Pull ahead</source>
@@ -9215,6 +9319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
+        <source>Robots (*.urdf)</source>
+        <translation>Robots (*.urdf)</translation>
+    </message>
+    <message>
         <source>Room for a glove</source>
         <translation>Place pour un gant</translation>
     </message>
@@ -9383,6 +9491,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer les modifications de « %1 » ?</translation>
     </message>
     <message>
+        <source>Save the description as a URDF file, and add the robot to the cell</source>
+        <translation>Enregistrer la description dans un fichier URDF et ajouter le robot à la cellule</translation>
+    </message>
+    <message>
         <source>Save the exercise</source>
         <translation>Enregistrer l'exercice</translation>
     </message>
@@ -9397,6 +9509,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Save the report</source>
         <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Save the robot's description</source>
+        <translation>Enregistrer la description du robot</translation>
     </message>
     <message>
         <source>Save the study</source>
@@ -10055,6 +10171,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
     <message>
+        <source>Start it, compare the name with 'ros2 action list', or use a longer --wait.</source>
+        <translation>Démarrez-le, comparez le nom avec « ros2 action list », ou donnez un --wait plus long.</translation>
+    </message>
+    <message>
+        <source>Start its driver, or name its topic by --joint-topic.</source>
+        <translation>Démarrez son pilote, ou nommez son topic par --joint-topic.</translation>
+    </message>
+    <message>
         <source>Start one with 'hapticell-haptic-server', or open the window.</source>
         <translation>Lancez-en un avec « hapticell-haptic-server », ou ouvrez la fenêtre.</translation>
     </message>
@@ -10065,6 +10189,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Start planner</source>
         <translation>Démarrer le planificateur</translation>
+    </message>
+    <message>
+        <source>Start the controller, or use a longer --wait.</source>
+        <translation>Démarrez le contrôleur, ou donnez un --wait plus long.</translation>
+    </message>
+    <message>
+        <source>Start the link</source>
+        <translation>Démarrer la liaison</translation>
     </message>
     <message>
         <source>Start the run</source>
@@ -10157,6 +10289,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stop recording  (R)</source>
         <translation>Arrêter l'enregistrement  (R)</translation>
+    </message>
+    <message>
+        <source>Stop the link</source>
+        <translation>Arrêter la liaison</translation>
     </message>
     <message>
         <source>Stop the robot</source>
@@ -10787,6 +10923,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
+        <source>The meshes are read from the places that the description names.</source>
+        <translation>Les maillages sont lus aux endroits que nomme la description.</translation>
+    </message>
+    <message>
         <source>The module %1 was not loaded. %2</source>
         <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
@@ -11415,12 +11555,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dessus</translation>
     </message>
     <message>
+        <source>Topic of the joint states that the robot here follows. Default: /joint_states</source>
+        <translation>Topic des états articulaires que suit le robot d'ici. Par défaut : /joint_states</translation>
+    </message>
+    <message>
+        <source>Topic on which another program publishes the robot as URDF. Default: /robot_description</source>
+        <translation>Topic sur lequel un autre programme publie le robot en URDF. Par défaut : /robot_description</translation>
+    </message>
+    <message>
         <source>Topics of other programs</source>
         <translation>Topics des autres programmes</translation>
     </message>
     <message>
         <source>Topics of other programs (publishers → subscribers)</source>
         <translation>Topics des autres programmes (éditeurs → abonnés)</translation>
+    </message>
+    <message>
+        <source>Topics: %1</source>
+        <translation>Topics : %1</translation>
     </message>
     <message>
         <source>Touch something with forces on to measure the delay from felt to displayed</source>
@@ -11825,6 +11977,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Wait until it has ended, or choose another file.</source>
         <translation>Attendez sa fin, ou choisissez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>Waiting for %1 …</source>
+        <translation>Attente de %1 …</translation>
     </message>
     <message>
         <source>Waiting for the haptic server</source>
@@ -12395,6 +12551,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
     </message>
     <message>
+        <source>a button that is held during the motion</source>
+        <translation>un bouton tenu enfoncé pendant le mouvement</translation>
+    </message>
+    <message>
         <source>a cell with parts</source>
         <translation>une cellule avec des pièces</translation>
     </message>
@@ -12449,6 +12609,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a configuration</source>
         <translation>une configuration</translation>
+    </message>
+    <message>
+        <source>a controller that listens on this topic</source>
+        <translation>un contrôleur qui écoute ce topic</translation>
+    </message>
+    <message>
+        <source>a controller that runs</source>
+        <translation>un contrôleur en marche</translation>
     </message>
     <message>
         <source>a corner that is not a vertex number</source>
@@ -12673,6 +12841,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a folder that exists and is writable</source>
         <translation>un dossier qui existe et qui est accessible en écriture</translation>
+    </message>
+    <message>
+        <source>a folder to write</source>
+        <translation>un dossier où écrire</translation>
     </message>
     <message>
         <source>a format text with more % places than values</source>
@@ -13099,12 +13271,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement de « %1 »</translation>
     </message>
     <message>
+        <source>a motion of a robot</source>
+        <translation>un mouvement d'un robot</translation>
+    </message>
+    <message>
+        <source>a motion of its joints alone</source>
+        <translation>un mouvement de ses seules articulations</translation>
+    </message>
+    <message>
         <source>a motion of one hand only</source>
         <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
         <source>a motion of the entity that was planned for</source>
         <translation>un mouvement de l’entité planifiée</translation>
+    </message>
+    <message>
+        <source>a motion of the robot's joints</source>
+        <translation>un mouvement des articulations du robot</translation>
+    </message>
+    <message>
+        <source>a motion to send</source>
+        <translation>un mouvement à envoyer</translation>
+    </message>
+    <message>
+        <source>a motion without contact, within the limits of the joints</source>
+        <translation>un mouvement sans contact, dans les limites des articulations</translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not define</source>
@@ -13399,6 +13591,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un programme qui se termine</translation>
     </message>
     <message>
+        <source>a program that publishes it</source>
+        <translation>un programme qui le publie</translation>
+    </message>
+    <message>
         <source>a program with moves to targets</source>
         <translation>un programme avec des mouvements vers des cibles</translation>
     </message>
@@ -13507,8 +13703,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot à six axes</translation>
     </message>
     <message>
+        <source>a robot of the cell</source>
+        <translation>un robot de la cellule</translation>
+    </message>
+    <message>
         <source>a robot or a mechanism</source>
         <translation>un robot ou un mécanisme</translation>
+    </message>
+    <message>
+        <source>a robot that rests</source>
+        <translation>un robot au repos</translation>
     </message>
     <message>
         <source>a robot with a moving link</source>
@@ -13525,6 +13729,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot with named tools</source>
         <translation>un robot avec des outils nommés</translation>
+    </message>
+    <message>
+        <source>a robot within 0.01 rad (1 mm) of it</source>
+        <translation>un robot à moins de 0,01 rad (1 mm) de celui-ci</translation>
     </message>
     <message>
         <source>a robot's file or library:NAME, or --collision-free with --workcell and --entity</source>
@@ -13553,6 +13761,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot.toml</source>
         <translation>un robot.toml</translation>
+    </message>
+    <message>
+        <source>a running controller</source>
+        <translation>un contrôleur en marche</translation>
     </message>
     <message>
         <source>a running server</source>
@@ -13677,6 +13889,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a slice with a step of 0</source>
         <translation>une tranche de pas 0</translation>
+    </message>
+    <message>
+        <source>a slower motion</source>
+        <translation>un mouvement plus lent</translation>
     </message>
     <message>
         <source>a smaller one</source>
@@ -14193,6 +14409,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an absolute path</source>
         <translation>un chemin absolu</translation>
+    </message>
+    <message>
+        <source>an acknowledgement</source>
+        <translation>un accusé de réception</translation>
     </message>
     <message>
         <source>an action of the type %1</source>
@@ -15151,6 +15371,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un contenu qui fait échouer le lecteur</translation>
     </message>
     <message>
+        <source>control_msgs/action/FollowJointTrajectory</source>
+        <translation>control_msgs/action/FollowJointTrajectory</translation>
+    </message>
+    <message>
         <source>counts that fit the file</source>
         <translation>des nombres d'éléments conformes au fichier</translation>
     </message>
@@ -16095,6 +16319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>son fichier ne peut pas être lu</translation>
     </message>
     <message>
+        <source>its joint states</source>
+        <translation>ses états articulaires</translation>
+    </message>
+    <message>
         <source>its link '%1' is not in the model</source>
         <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
     </message>
@@ -16891,6 +17119,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de borne</translation>
     </message>
     <message>
+        <source>no button of the stylus was pressed</source>
+        <translation>aucun bouton du stylet n'a été enfoncé</translation>
+    </message>
+    <message>
         <source>no cell</source>
         <translation>aucune cellule</translation>
     </message>
@@ -16917,6 +17149,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no contact on the way</source>
         <translation>aucun contact en chemin</translation>
+    </message>
+    <message>
+        <source>no controller offers this action</source>
+        <translation>aucun contrôleur n'offre cette action</translation>
     </message>
     <message>
         <source>no device</source>
@@ -17025,6 +17261,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no joints or no points</source>
         <translation>pas d’axes ou pas de points</translation>
+    </message>
+    <message>
+        <source>no joints, or fewer than two frames</source>
+        <translation>pas d'articulations, ou moins de deux images</translation>
     </message>
     <message>
         <source>no key is named '%1'</source>
@@ -17171,6 +17411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun progrès, à %1 du but (%2) ; guidez à la main à partir d'ici, ou planifiez un trajet</translation>
     </message>
     <message>
+        <source>no reader</source>
+        <translation>aucun lecteur</translation>
+    </message>
+    <message>
         <source>no result is called '%1'</source>
         <translation>aucun résultat ne s'appelle « %1 »</translation>
     </message>
@@ -17185,6 +17429,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no robot</source>
         <translation>aucun robot</translation>
+    </message>
+    <message>
+        <source>no robot of this name</source>
+        <translation>aucun robot de ce nom</translation>
     </message>
     <message>
         <source>no shape</source>
@@ -17479,6 +17727,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>rien qui soit déplacé</translation>
     </message>
     <message>
+        <source>nothing to listen for</source>
+        <translation>rien à écouter</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>maintenant</translation>
     </message>
@@ -17621,6 +17873,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one point</source>
         <translation>un seul point</translation>
+    </message>
+    <message>
+        <source>one robot</source>
+        <translation>un seul robot</translation>
     </message>
     <message>
         <source>one robot for a URDF</source>
@@ -18103,6 +18359,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des robots</translation>
     </message>
     <message>
+        <source>ros2 listen</source>
+        <translation>ros2 listen</translation>
+    </message>
+    <message>
         <source>rough</source>
         <translation>grosse</translation>
     </message>
@@ -18415,6 +18675,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>arrêté avant la fin</translation>
     </message>
     <message>
+        <source>stopped before the motion was sent</source>
+        <translation>arrêté avant l'envoi du mouvement</translation>
+    </message>
+    <message>
         <source>stopped before the shown way was checked</source>
         <translation>arrêté avant la vérification du trajet montré</translation>
     </message>
@@ -18683,6 +18947,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la condition &quot;%1&quot;, qui donne &quot;%2&quot;</translation>
     </message>
     <message>
+        <source>the confirmed motion</source>
+        <translation>le mouvement confirmé</translation>
+    </message>
+    <message>
         <source>the connection ended before the keys were checked</source>
         <translation>la connexion s'est terminée avant la comparaison des clés</translation>
     </message>
@@ -18713,6 +18981,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the controller did not start the motion within 5 s</source>
         <translation>le contrôleur n'a pas commencé le mouvement en 5 s</translation>
+    </message>
+    <message>
+        <source>the controller does not answer on all topics of the action</source>
+        <translation>le contrôleur ne répond pas sur tous les topics de l'action</translation>
     </message>
     <message>
         <source>the copied file</source>
@@ -19315,8 +19587,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun segment</translation>
     </message>
     <message>
+        <source>the motion could not be slowed to the limits</source>
+        <translation>le mouvement n'a pas pu être ralenti jusqu'aux limites</translation>
+    </message>
+    <message>
+        <source>the motion is not the one that was confirmed</source>
+        <translation>le mouvement n'est pas celui qui a été confirmé</translation>
+    </message>
+    <message>
         <source>the motion lasts longer than it should</source>
         <translation>le mouvement dure plus longtemps qu'il ne devrait</translation>
+    </message>
+    <message>
+        <source>the motion moves the robot's base</source>
+        <translation>le mouvement déplace la base du robot</translation>
     </message>
     <message>
         <source>the motion of an expert</source>
@@ -19583,6 +19867,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la propriété '%1' avec plus d'un parmi value, default et remove</translation>
     </message>
     <message>
+        <source>the reader did not acknowledge the motion</source>
+        <translation>le lecteur n'a pas accusé réception du mouvement</translation>
+    </message>
+    <message>
         <source>the reader rejected the file (%1)</source>
         <translation>le lecteur l'a refusé (%1)</translation>
     </message>
@@ -19601,6 +19889,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the results of a study</source>
         <translation>les résultats d'une étude</translation>
+    </message>
+    <message>
+        <source>the robot does not publish all joints of the motion</source>
+        <translation>le robot ne publie pas toutes les articulations du mouvement</translation>
     </message>
     <message>
         <source>the robot file has no speed limits</source>

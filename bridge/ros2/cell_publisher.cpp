@@ -30,21 +30,25 @@ Expected<void> sendTrajectory(RosNode& node, const manipulation::MotionReplay& r
                               const std::atomic<bool>& stop) {
   const trajectory::Trajectory motion = replay.withJoints();
   if (!motion.hasJoints())
-    return makeError({options.motion, "joints", "none", "a motion of a robot", ""});
+    return makeError({.file = options.motion, .place = "joints", .found = "none", .expected = "a motion of a robot"});
   const auto writer =
       node.advertise(options.trajectory_topic, trajectory_msgs_msg_dds__JointTrajectory__desc, RosQuality::kDefault);
   HAPTICELL_TRY(writer);
   const auto end = Clock::now() + std::chrono::duration<double>(options.wait);
   while (node.readersOf(*writer) == 0) {
     if (Clock::now() > end || stop)
-      return makeError({options.trajectory_topic, "", "no reader", "a controller that listens on this topic",
-                        "Start the controller, or use a longer --wait."});
+      return makeError({.file = options.trajectory_topic,
+                        .found = "no reader",
+                        .expected = "a controller that listens on this topic",
+                        .fix = "Start the controller, or use a longer --wait."});
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   const JointTrajectoryMessage message(motion);
   HAPTICELL_TRY(node.write(*writer, message.message()));
   if (!node.flush(options.wait))
-    return makeError({options.trajectory_topic, "", "the reader did not acknowledge the motion", "an acknowledgement", ""});
+    return makeError({.file = options.trajectory_topic,
+                      .found = "the reader did not acknowledge the motion",
+                      .expected = "an acknowledgement"});
   return {};
 }
 
@@ -63,13 +67,14 @@ Expected<ordered_json> publishCell(const PublishOptions& options, const std::ato
     replay = std::move(*read);
   }
   if (!options.trajectory_topic.empty() && !replay)
-    return makeError({"", "--trajectory", "--motion is missing", "a motion to send", ""});
-  if (options.contacts && !replay) return makeError({"", "--contacts", "--motion is missing", "a motion", ""});
+    return makeError({.place = "--trajectory", .found = "--motion is missing", .expected = "a motion to send"});
+  if (options.contacts && !replay)
+    return makeError({.place = "--contacts", .found = "--motion is missing", .expected = "a motion"});
   const auto scratch = ScratchFolder::make();
   HAPTICELL_TRY(scratch);
   auto description = robotDescription(**robot, options.folder.empty() ? scratch->path() : fs::path(options.folder), notes);
   HAPTICELL_TRY(description);
-  const auto link = watchedServer(options.server);
+  const auto link = watchedServer(options.server, "--server");
   HAPTICELL_TRY(link);
   auto node = RosNode::create(options.node);
   HAPTICELL_TRY(node);

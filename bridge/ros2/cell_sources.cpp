@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/ros2/cell_sources.h"
 
-#include <cstdlib>
-
 #include "exchange/recordings/recording_reader.h"
+#include "haptic/client/server_address.h"
 #include "haptic/client/server_watch.h"
 #include "trajectory/files/trajectory_io.h"
 
@@ -24,8 +23,11 @@ Expected<std::shared_ptr<const Entity>> robotToPublish(const workcell::Document&
     ++robots;
   }
   if (entity.empty() && robots == 1) return found;
-  return makeError({cell, entity.empty() ? Text("robots") : Text("entity '%1'", entity),
-                    names.empty() ? Text("no robot") : Text("the robots %1", names), "one robot", "Name it by --entity."});
+  return makeError({.file = cell,
+                    .place = entity.empty() ? Text("robots") : Text("entity '%1'", entity),
+                    .found = names.empty() ? Text("no robot") : Text("the robots %1", names),
+                    .expected = "one robot",
+                    .fix = "Name it by --entity."});
 }
 
 Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& document, const Entity& robot,
@@ -38,11 +40,11 @@ Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& docu
   return replay;
 }
 
-Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server) {
+Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server, std::string_view option) {
   if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
-  const std::size_t colon = server.rfind(':');
-  return haptic::watchServer(server.substr(0, colon), static_cast<std::uint16_t>(std::atoi(server.c_str() + colon + 1)),
-                             "hapticell-ros2");
+  const auto address = haptic::parseServerAddress(server, option);
+  HAPTICELL_TRY(address);
+  return haptic::watchServer(address->host, address->port, "hapticell-ros2");
 }
 
 }  // namespace hapticell::bridge

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/system/error.h"
@@ -22,8 +23,8 @@ Expected<std::shared_ptr<const workcell::Entity>> robotToPublish(const workcell:
 Expected<manipulation::MotionReplay> replayOfFile(const workcell::Document& document, const workcell::Entity& robot,
                                                   const std::string& file, std::vector<Text>& notes);
 
-/// A connection that watches the haptic server at HOST:PORT; null if `server` is empty. Error: no server answers within
-/// 5 s.
-Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server);
+/// A connection that watches the haptic server at HOST:PORT; null if `server` is empty. Errors: no such address (it names
+/// `option`); no server answers within 5 s.
+Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server, std::string_view option);
 
 }  // namespace hapticell::bridge

@@ -124,8 +124,10 @@ Expected<void> checkInCell(const workcell::Document& document, const std::string
     const bool is_refused = finding.kind == PathFinding::Kind::kCollision || finding.kind == PathFinding::Kind::kJointLimit ||
                             finding.kind == PathFinding::Kind::kJointSpeed;
     if (is_refused)
-      return makeError({file, {}, findingWords(finding), "a motion without contact, within the limits of the joints",
-                        "Change the motion. 'trajectory check' lists all findings."});
+      return makeError({.file = file,
+                        .found = findingWords(finding),
+                        .expected = "a motion without contact, within the limits of the joints",
+                        .fix = "Change the motion. 'trajectory check' lists all findings."});
   }
   motion.least_clearance = checked->least_clearance;
   for (const PathFinding& pair : checked->touching_at_start)
@@ -167,12 +169,16 @@ Expected<Trajectory> jointMotion(const workcell::Document& document, const workc
   HAPTICELL_TRY(replay);
   const Trajectory motion = replay->withJoints();
   if (!motion.hasJoints() || motion.size() < 2)
-    return makeError({file, {}, "no joints, or fewer than two frames", "a motion of the robot's joints", {}});
+    return makeError({.file = file,
+                      .found = "no joints, or fewer than two frames",
+                      .expected = "a motion of the robot's joints"});
   const bool moves_base = std::any_of(motion.frames().begin(), motion.frames().end(), [&](const auto& frame) {
     const auto off = trajectory::distanceBetween(replay->at(frame.t).X_WE, robot.X_WE);
     return off.position > 1e-6 || off.angle > 1e-6;
   });
-  if (moves_base) return makeError({file, {}, "the motion moves the robot's base", "a motion of its joints alone", {}});
+  if (moves_base)
+    return makeError(
+        {.file = file, .found = "the motion moves the robot's base", .expected = "a motion of its joints alone"});
   return motion;
 }
 
@@ -253,7 +259,9 @@ Expected<CheckedMotion> checkedMotion(const MotionToSend& wanted) {
     checked.slowed *= excess * (1.0 + 1e-6);
   }
   if (checked.tool_speed > wanted.tool_speed || checked.joint_share > wanted.joint_share)
-    return makeError({wanted.motion, {}, "the motion could not be slowed to the limits", "a slower motion", {}});
+    return makeError({.file = wanted.motion,
+                      .found = "the motion could not be slowed to the limits",
+                      .expected = "a slower motion"});
   HAPTICELL_TRY(checkInCell(*document, wanted.motion, executed, checked));
 
   const JointTrajectory& message = *checked.message->message();

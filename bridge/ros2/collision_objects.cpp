@@ -153,7 +153,9 @@ Expected<void> HeardObjects::addTo(workcell::Document& cell, const fs::path& fil
       const fs::path mesh_file = folder / (file.stem().string() + "_objects") / (stem + ".stl");
       std::error_code fault;
       fs::create_directories(mesh_file.parent_path(), fault);
-      if (fault) return makeError({mesh_file.string(), "", systemText(fault.value()), "a folder to write", ""});
+      if (fault)
+        return makeError(
+            {.file = mesh_file.string(), .found = systemText(fault.value()), .expected = "a folder to write"});
       const workcell::NamedMesh part{id, object.mesh};
       HAPTICELL_TRY(writeFileAtomically(mesh_file, workcell::stlBytes({&part, 1}, 1.0)));
       source = mesh_file.string();

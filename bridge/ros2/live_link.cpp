@@ -16,6 +16,7 @@
 #include "bridge/ros2/cell_sources.h"
 #include "bridge/ros2/published_cell.h"
 #include "bridge/ros2/taken_samples.h"
+#include "bridge/ros2/topic_list.h"
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/scratch_folder.h"
 #include "workcell/format/document_io.h"
@@ -122,29 +123,6 @@ class HeardRobot {
   std::map<std::string, std::size_t> variables_;
   std::uint64_t count_ = 0;
 };
-
-/// Topics of ROS 2 that other programs publish or hear.
-ordered_json topicsOf(RosNode& node) {
-  struct Counts {
-    std::string type;
-    int publishers = 0, subscribers = 0;
-  };
-  std::map<std::string, Counts> topics;
-  const auto add = [&](const std::vector<RosEndpoint>& endpoints, int Counts::*count) {
-    for (const RosEndpoint& endpoint : endpoints) {
-      if (!endpoint.topic.starts_with("rt/")) continue;
-      Counts& counts = topics[endpoint.topic.substr(2)];
-      counts.type = endpoint.type;
-      ++(counts.*count);
-    }
-  };
-  add(node.othersWriters(), &Counts::publishers);
-  add(node.othersReaders(), &Counts::subscribers);
-  ordered_json list = ordered_json::array();
-  for (const auto& [name, counts] : topics)
-    list.push_back({{"name", name}, {"type", counts.type}, {"publishers", counts.publishers}, {"subscribers", counts.subscribers}});
-  return list;
-}
 
 /// One link, with what it publishes or hears.
 class LiveLink {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticell-ros2 JOB: one JSON object that says what to do, as hapticell-cli ros2 and the window make it. The result is one JSON
-// object on standard output; a sentence on standard error and exit 2 say why not.
+// object on standard output; a sentence on standard error and exit 2 say why not. With "texts" in the job it is a last object
+// on standard output, so that the window can say it in its language.
 #include <dds/version.h>
 #include <sys/prctl.h>
 
@@ -16,8 +17,10 @@
 #include "bridge/ros2/live_link.h"
 #include "bridge/ros2/motion_sender.h"
 #include "bridge/ros2/ros_listener.h"
+#include "bridge/ros2/topic_list.h"
 #include "config/program_version.h"
 #include "geometry/system/nesting_limit.h"
+#include "geometry/system/packed_text.h"
 
 namespace {
 
@@ -30,6 +33,12 @@ void askToStop(int) {
 
 hapticell::bridge::RosNodeOptions nodeOptions(const nlohmann::json& job) {
   return {job.value("domain", 0), job.value("this_machine", false)};
+}
+
+/// A line of standard output. What other programs sent may be no UTF-8.
+void putLine(const nlohmann::ordered_json& json) {
+  std::printf("%s\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::fflush(stdout);
 }
 
 hapticell::Expected<nlohmann::ordered_json> publish(const nlohmann::json& job) {
@@ -62,6 +71,7 @@ hapticell::Expected<nlohmann::ordered_json> listen(const nlohmann::json& job) {
   options.objects = job.value("objects", false);
   options.joint_topic = job.value("joint_topic", options.joint_topic);
   options.trajectory_topic = job.value("trajectory_topic", options.trajectory_topic);
+  options.description_topic = job.value("description_topic", options.description_topic);
   options.seconds = job.value("seconds", options.seconds);
   return hapticell::bridge::listen(options, stop_asked);
 }
@@ -81,13 +91,9 @@ hapticell::Expected<nlohmann::ordered_json> send(const nlohmann::json& job) {
     options.services = services == "plain" ? hapticell::bridge::RpcForm::kPlain : hapticell::bridge::RpcForm::kNumbered;
   options.joint_topic = job.value("joint_topic", options.joint_topic);
   options.hold = job.value("hold", "");
+  options.texts = job.value("texts", false);
   options.wait = job.value("wait", options.wait);
-  if (job.value("progress", false)) {
-    options.progress = [](const nlohmann::ordered_json& progress) {
-      std::printf("%s\n", progress.dump().c_str());
-      std::fflush(stdout);
-    };
-  }
+  if (job.value("progress", false)) options.progress = putLine;
   return hapticell::bridge::sendMotion(options, stop_asked);
 }
 
@@ -102,10 +108,19 @@ hapticell::Expected<nlohmann::ordered_json> link(const nlohmann::json& job) {
   return hapticell::bridge::runLiveLink(options, stop_asked);
 }
 
+hapticell::Expected<nlohmann::ordered_json> topics(const nlohmann::json& job) {
+  hapticell::bridge::TopicSearch search;
+  search.node = nodeOptions(job);
+  search.seconds = job.value("seconds", search.seconds);
+  if (job.value("progress", false)) search.progress = putLine;
+  return hapticell::bridge::findTopics(search, stop_asked);
+}
+
 hapticell::Expected<nlohmann::ordered_json> done(const nlohmann::json& job) {
   const std::string what = job.value("do", "");
   if (what == "listen") return listen(job);
   if (what == "link") return link(job);
+  if (what == "topics") return topics(job);
   return what == "send" ? send(job) : publish(job);
 }
 
@@ -137,10 +152,14 @@ int run(const std::string& text) {
   }
   const auto result = done(job);
   if (!result) {
-    std::fprintf(stderr, "hapticell-cli: %s\n", result.error().message().c_str());
+    if (job.value("texts", false)) {
+      putLine({{"failure", hapticell::packed(result.error())}, {"file", result.error().file}});
+    } else {
+      std::fprintf(stderr, "hapticell-cli: %s\n", result.error().message().c_str());
+    }
     return 2;
   }
-  std::printf("%s\n", result->dump().c_str());
+  putLine(*result);
   return 0;
 }
 

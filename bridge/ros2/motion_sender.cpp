@@ -11,6 +11,7 @@
 #include "bridge/ros2/cell_sources.h"
 #include "bridge/ros2/taken_samples.h"
 #include "bridge/ros2/trajectory_action.h"
+#include "geometry/system/packed_text.h"
 
 namespace hapticell::bridge {
 
@@ -119,7 +120,7 @@ bool waitFor(double seconds, const std::atomic<bool>& stop, const IsDone& is_don
 }
 
 tl::unexpected<Error> stoppedBefore(const SendOptions& options) {
-  return makeError({options.motion.action, {}, "stopped before the motion was sent", {}, {}});
+  return makeError({.file = options.motion.action, .found = "stopped before the motion was sent"});
 }
 
 Expected<std::unique_ptr<TrajectoryAction>> connected(RosNode& node, const SendOptions& options,
@@ -134,14 +135,18 @@ Expected<std::unique_ptr<TrajectoryAction>> connected(RosNode& node, const SendO
   HAPTICELL_TRY(found);
   if (stop) return stoppedBefore(options);
   if (!is_found)
-    return makeError({options.motion.action, {}, "no controller offers this action", "a running controller",
-                      "Start it, compare the name with 'ros2 action list', or use a longer --wait."});
+    return makeError({.file = options.motion.action,
+                      .found = "no controller offers this action",
+                      .expected = "a running controller",
+                      .fix = "Start it, compare the name with 'ros2 action list', or use a longer --wait."});
   auto action = TrajectoryAction::open(node, options.motion.action, form ? *form : **found);
   HAPTICELL_TRY(action);
   if (!waitFor(options.wait, stop, [&] { return (*action)->isConnected(); })) {
     if (stop) return stoppedBefore(options);
-    return makeError({options.motion.action, {}, "the controller does not answer on all topics of the action",
-                      "a controller that runs", "Check the network in both directions."});
+    return makeError({.file = options.motion.action,
+                      .found = "the controller does not answer on all topics of the action",
+                      .expected = "a controller that runs",
+                      .fix = "Check the network in both directions."});
   }
   return action;
 }
@@ -155,13 +160,16 @@ Expected<void> isAtStart(const CheckedMotion& motion, RobotJoints& robot, const 
   });
   if (stop) return stoppedBefore(options);
   if (!is_heard)
-    return makeError({options.joint_topic, {}, "the robot does not publish all joints of the motion", "its joint states",
-                      "Start its driver, or name its topic by --joint-topic."});
+    return makeError({.file = options.joint_topic,
+                      .found = "the robot does not publish all joints of the motion",
+                      .expected = "its joint states",
+                      .fix = "Start its driver, or name its topic by --joint-topic."});
   const Apart apart = apartFrom(motion, motion.start, robot.joints(), kStartAngle, kStartLength);
   if (apart.share <= 1.0) return {};
-  return makeError({options.motion.motion, {}, Text("joint '%1' of the robot is not at the first point of the motion", apart.joint),
-                    "a robot within 0.01 rad (1 mm) of it",
-                    "Move the robot there, or record a motion that begins where it is."});
+  return makeError({.file = options.motion.motion,
+                    .found = Text("joint '%1' of the robot is not at the first point of the motion", apart.joint),
+                    .expected = "a robot within 0.01 rad (1 mm) of it",
+                    .fix = "Move the robot there, or record a motion that begins where it is."});
 }
 
 /// The motion while it runs.
@@ -232,8 +240,10 @@ class RunningMotion {
   /// Repeats the cancellation until it is confirmed.
   Expected<void> insist() {
     if (secondsSince(cancelled_) > kPatience)
-      return makeError({options_.motion.action, {}, Text("%1, and the controller did not confirm that it stopped", reason_),
-                        "a robot that rests", "Press the emergency stop of the robot cell."});
+      return makeError({.file = options_.motion.action,
+                        .found = Text("%1, and the controller did not confirm that it stopped", reason_),
+                        .expected = "a robot that rests",
+                        .fix = "Press the emergency stop of the robot cell."});
     if (secondsSince(repeated_) < 0.25) return {};
     repeated_ = SteadyClock::now();
     return action_.cancel();
@@ -247,6 +257,7 @@ class RunningMotion {
       std::this_thread::sleep_for(kPoll);
     }
     ordered_json result{{"outcome", toString(action_.state())}, {"reason", english(reason_)}};
+    if (options_.texts) result["reason_text"] = packed(reason_);
     if (const auto& said = action_.result()) {
       result["error_code"] = said->error_code;
       result["error"] = said->error;
@@ -276,9 +287,11 @@ Expected<ordered_json> sendMotion(const SendOptions& options, const std::atomic<
   result["sent"] = false;
   if (options.confirmation.empty()) return result;
   if (options.confirmation != motion->confirmation)
-    return makeError({options.motion.motion, {}, "the motion is not the one that was confirmed", "the confirmed motion",
-                      "Preview it again and confirm what you see."});
-  auto link = watchedServer(options.hold);
+    return makeError({.file = options.motion.motion,
+                      .found = "the motion is not the one that was confirmed",
+                      .expected = "the confirmed motion",
+                      .fix = "Preview it again and confirm what you see."});
+  auto link = watchedServer(options.hold, "--hold");
   HAPTICELL_TRY(link);
   HeldButton button(std::move(*link));
   auto node = RosNode::create(options.node);
@@ -290,8 +303,10 @@ Expected<ordered_json> sendMotion(const SendOptions& options, const std::atomic<
   HAPTICELL_TRY(action);
   if (!waitFor(options.wait, stop, [&] { return button.isHeld(); })) {
     if (stop) return stoppedBefore(options);
-    return makeError({options.hold, {}, "no button of the stylus was pressed", "a button that is held during the motion",
-                      "Hold it before the motion begins."});
+    return makeError({.file = options.hold,
+                      .found = "no button of the stylus was pressed",
+                      .expected = "a button that is held during the motion",
+                      .fix = "Hold it before the motion begins."});
   }
   HAPTICELL_TRY(isAtStart(*motion, robot, options, stop));
   RunningMotion running(*motion, **action, robot, button, options);

@@ -24,6 +24,7 @@ struct SendOptions {
   std::optional<RpcForm> services{};           ///< Empty: found out by the maker of the server's DDS.
   std::string joint_topic = "/joint_states";   ///< Where the robot says where it is.
   std::string hold;                            ///< HOST:PORT of a haptic server: moves while a button of the stylus is held.
+  bool texts = false;                          ///< The result has `reason_text` too, the reason as packed() makes it.
   double wait = 5.0;                           ///< For the controller, the robot's joints and the button; s.
   /// Gets the progress while the robot moves: `t` (s), `state`, `joints`. May be empty.
   std::function<void(const nlohmann::ordered_json&)> progress{};

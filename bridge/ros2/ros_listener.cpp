@@ -83,7 +83,7 @@ Expected<Readers> openReaders(RosNode& node, const ListenOptions& options) {
     readers.trajectory = *reader;
   }
   if (!options.description.empty()) {
-    const auto reader = node.subscribe("/robot_description", std_msgs_msg_dds__String__desc, RosQuality::kLatched);
+    const auto reader = node.subscribe(options.description_topic, std_msgs_msg_dds__String__desc, RosQuality::kLatched);
     HAPTICELL_TRY(reader);
     readers.description = *reader;
   }
@@ -97,14 +97,17 @@ Expected<Readers> openReaders(RosNode& node, const ListenOptions& options) {
     readers.object = *object;
   }
   if (readers.joints == 0 && readers.trajectory == 0 && readers.description == 0 && readers.scene == 0)
-    return makeError({"", "ros2 listen", "nothing to listen for", "--output, --trajectory, --description, --entity or --objects", ""});
+    return makeError({.place = "ros2 listen",
+                      .found = "nothing to listen for",
+                      .expected = "--output, --trajectory, --description, --entity or --objects"});
   return readers;
 }
 
 tl::unexpected<Error> nothingCame(const std::string& topic, double seconds) {
-  return makeError({topic, "", Text("no message within %1 s", static_cast<std::int64_t>(std::ceil(seconds))),
-                    "a program that publishes it",
-                    "Check ROS_DOMAIN_ID on both sides, and that the network lets multicast through."});
+  return makeError({.file = topic,
+                    .found = Text("no message within %1 s", static_cast<std::int64_t>(std::ceil(seconds))),
+                    .expected = "a program that publishes it",
+                    .fix = "Check ROS_DOMAIN_ID on both sides, and that the network lets multicast through."});
 }
 
 /// Sets the robot's joints as they were heard.
@@ -112,7 +115,10 @@ Expected<void> mirrorRobot(workcell::Document& document, const ListenOptions& op
                            const std::map<std::string, double>& last) {
   const workcell::Entity* const robot = document.findByName(options.entity);
   if (!robot || !workcell::isMachine(*robot))
-    return makeError({options.workcell, Text("entity '%1'", options.entity), "no robot of this name", "a robot of the cell", ""});
+    return makeError({.file = options.workcell,
+                      .place = Text("entity '%1'", options.entity),
+                      .found = "no robot of this name",
+                      .expected = "a robot of the cell"});
   const kinematics::RobotModel& model = *robot->robot();
   std::vector<double> joints = robot->joints();
   std::size_t known = 0;
@@ -126,7 +132,9 @@ Expected<void> mirrorRobot(workcell::Document& document, const ListenOptions& op
     ++known;
   }
   if (known == 0)
-    return makeError({options.joint_topic, "", Text("joints %1", names), Text("joints of '%1'", options.entity), ""});
+    return makeError({.file = options.joint_topic,
+                      .found = Text("joints %1", names),
+                      .expected = Text("joints of '%1'", options.entity)});
   const auto changed = document.execute(workcell::SetJoints{robot->id, joints});
   HAPTICELL_TRY(changed);
   return {};
@@ -178,7 +186,7 @@ Expected<ordered_json> listen(const ListenOptions& options, const std::atomic<bo
 
   if (readers->joints != 0 && joints.motion().empty()) return nothingCame(options.joint_topic, options.seconds);
   if (readers->trajectory != 0 && !trajectory) return nothingCame(options.trajectory_topic, options.seconds);
-  if (readers->description != 0 && description.empty()) return nothingCame("/robot_description", options.seconds);
+  if (readers->description != 0 && description.empty()) return nothingCame(options.description_topic, options.seconds);
   if (readers->scene != 0 && objects.size() == 0) return nothingCame("/planning_scene", options.seconds);
   ordered_json result;
   std::vector<FileToWrite> files;

@@ -20,6 +20,7 @@ struct ListenOptions {
   std::string entity;              ///< Its robot, which takes the last joint state; empty: none.
   bool objects = false;            ///< It takes the collision objects of /planning_scene and /collision_object.
   std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
+  std::string description_topic = "/robot_description";
   double seconds = 10.0;  ///< At most so long; with only a trajectory or a description, until they came.
 };
 

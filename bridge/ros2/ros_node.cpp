@@ -40,8 +40,10 @@ Qualities qualitiesOf(RosQuality quality, const char* type_name) {
 }
 
 tl::unexpected<Error> ddsProblem(dds_return_t code, const std::string& what) {
-  return makeError({what, "", std::string(dds_strretcode(-code)), "DDS to work",
-                    "Check the network interface and CYCLONEDDS_URI."});
+  return makeError({.file = what,
+                    .found = std::string(dds_strretcode(-code)),
+                    .expected = "DDS to work",
+                    .fix = "Check the network interface and CYCLONEDDS_URI."});
 }
 
 }  // namespace

@@ -43,11 +43,15 @@ Expected<std::optional<RpcForm>> TrajectoryAction::formOf(RosNode& node, const s
   for (const RosEndpoint& reader : node.othersReaders()) {
     if (reader.topic != topic) continue;
     if (reader.type != control_msgs_action_dds__FollowJointTrajectory_SendGoal_Request__desc.m_typename)
-      return makeError({action, {}, Text("an action of the type %1", reader.type), "control_msgs/action/FollowJointTrajectory", {}});
+      return makeError({.file = action,
+                        .found = Text("an action of the type %1", reader.type),
+                        .expected = "control_msgs/action/FollowJointTrajectory"});
     if (reader.vendor == kFastDds) return RpcForm::kPlain;
     if (reader.vendor == kCycloneDds) return RpcForm::kNumbered;
-    return makeError({action, {}, Text("a server with the DDS of the maker %1", static_cast<std::int64_t>(reader.vendor)),
-                      "Fast DDS or Cyclone DDS", "Name the form of its services by --services."});
+    return makeError({.file = action,
+                      .found = Text("a server with the DDS of the maker %1", static_cast<std::int64_t>(reader.vendor)),
+                      .expected = "Fast DDS or Cyclone DDS",
+                      .fix = "Name the form of its services by --services."});
   }
   return std::nullopt;
 }

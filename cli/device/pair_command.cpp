@@ -4,8 +4,8 @@
 
 #include "cli/device/device_commands.h"
 #include "cli/device/typed_code.h"
-#include "cli/kit/server_address.h"
 #include "geometry/system/plain_text.h"
+#include "haptic/client/server_address.h"
 #include "haptic/client/server_watch.h"
 #include "haptic/transport/pairing_key.h"
 
@@ -21,7 +21,7 @@ struct PairWords {
 };
 
 /// Connects as a watcher, which takes the stylus from nobody. The device's name.
-Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingKey& key) {
+Expected<std::string> tryKey(const haptic::ServerAddress& server, const haptic::PairingKey& key) {
   haptic::TcpLinkOptions options;
   options.host = server.host;
   options.port = server.port;
@@ -42,7 +42,7 @@ ExitStatus pairingFailed(const Error& error) {
 }
 
 ExitStatus run(const PairWords& words, const ResultWriter& writer) {
-  const auto server = parseServerAddress(words.server, "HOST:PORT", haptic::TcpLinkOptions{}.port);
+  const auto server = haptic::parseServerAddress(words.server, "HOST:PORT", haptic::TcpLinkOptions{}.port);
   if (!server) return pairingFailed(server.error());
   if (!words.code.empty() && words.code != "-")
     warn(

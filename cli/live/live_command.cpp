@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "cli/kit/result_writer.h"
-#include "cli/kit/server_address.h"
 #include "cli/kit/stop_signal.h"
 #include "cli/live/live_options.h"
 #include "exchange/recordings/recording_reader.h"
+#include "haptic/client/server_address.h"
 #include "haptic/client/server_watch.h"
 #include "manipulation/checks/motion_replay.h"
 #include "trajectory/files/trajectory_io.h"
@@ -50,7 +50,7 @@ Expected<std::optional<MotionReplay>> replayOf(const workcell::Document& documen
 
 Expected<std::unique_ptr<haptic::TcpLink>> watchedServer(const std::string& server) {
   if (server.empty()) return std::unique_ptr<haptic::TcpLink>();
-  const auto address = parseServerAddress(server, "--server");
+  const auto address = haptic::parseServerAddress(server, "--server");
   HAPTICELL_TRY(address);
   return haptic::openWatcher(address->host, address->port, "hapticell-cli live");
 }

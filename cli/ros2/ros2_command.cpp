@@ -6,10 +6,10 @@
 #include <string>
 
 #include "cli/kit/result_writer.h"
-#include "cli/kit/server_address.h"
 #include "cli/ros2/package_command.h"
 #include "cli/ros2/ros_words.h"
 #include "cli/ros2/send_command.h"
+#include "haptic/client/server_address.h"
 
 namespace hapticell::cli {
 
@@ -31,6 +31,12 @@ struct ListenWords {
   std::string output, trajectory, description, workcell, entity, mirror;
   bool objects = false;
   std::string joint_topic = "/joint_states", trajectory_topic = "/joint_trajectory";
+  std::string description_topic = "/robot_description";
+};
+
+struct TopicsWords {
+  RosWords ros;
+  double seconds = 3.0;
 };
 
 ExitStatus runBridge(ordered_json job, const RosWords& words, double seconds, const ResultWriter& writer) {
@@ -50,7 +56,7 @@ ExitStatus runBridge(ordered_json job, const RosWords& words, double seconds, co
 
 ExitStatus runPublish(const PublishWords& words, const ResultWriter& writer) {
   if (!words.server.empty()) {
-    if (const auto address = parseServerAddress(words.server, "--server"); !address) {
+    if (const auto address = haptic::parseServerAddress(words.server, "--server"); !address) {
       report(address.error());
       return ExitStatus::kBadInput;
     }
@@ -85,7 +91,8 @@ ExitStatus runListen(const ListenWords& words, const ResultWriter& writer) {
                     {"mirror", words.mirror},
                     {"objects", words.objects},
                     {"joint_topic", words.joint_topic},
-                    {"trajectory_topic", words.trajectory_topic}},
+                    {"trajectory_topic", words.trajectory_topic},
+                    {"description_topic", words.description_topic}},
                    words.ros, words.seconds, writer);
 }
 
@@ -145,9 +152,18 @@ void addRos2Command(Subcommand app, Action& chosen) {
   listen.option("--mirror", in->mirror, "Workcell to write with the received joints and objects").takes(ValueKind::kWorkcell);
   listen.option("--joint-topic", in->joint_topic, "Topic of the joint states (/joint_states)");
   listen.option("--trajectory-topic", in->trajectory_topic, "Topic of the motion (/joint_trajectory)");
+  listen.option("--description-topic", in->description_topic, "Topic of the description (/robot_description)");
   addRosWords(listen, in->ros);
   listen.option("--seconds", in->seconds, "How long to listen, s (10)").within(0.0, 86400.0);
   listen.onChosen([in, &chosen] { chosen = [in](ResultWriter& writer) { return runListen(*in, writer); }; });
+
+  const auto search = std::make_shared<TopicsWords>();
+  Subcommand topics = command.add("topics", "List the topics of other programs");
+  addRosWords(topics, search->ros);
+  topics.option("--seconds", search->seconds, "How long to look for them, s (3)").within(0.0, 3600.0);
+  topics.onChosen([search, &chosen] {
+    chosen = [search](ResultWriter& writer) { return runBridge({{"do", "topics"}}, search->ros, search->seconds, writer); };
+  });
   addSendCommand(command, chosen);
 }
 

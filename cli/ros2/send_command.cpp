@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "cli/kit/result_writer.h"
-#include "cli/kit/server_address.h"
 #include "cli/ros2/ros_words.h"
+#include "haptic/client/server_address.h"
 
 namespace hapticell::cli {
 
@@ -49,7 +49,7 @@ std::string typedName(const ordered_json& preview) {
 }
 
 Expected<ExitStatus> sendWith(const SendWords& words, const ResultWriter& writer) {
-  if (!words.hold.empty()) HAPTICELL_TRY(parseServerAddress(words.hold, "--hold"));
+  if (!words.hold.empty()) HAPTICELL_TRY(haptic::parseServerAddress(words.hold, "--hold"));
   const auto preview = bridgeResult(jobOf(words, ""), words.ros);
   HAPTICELL_TRY(preview);
   if (!*preview) return ExitStatus::kBadInput;

@@ -6,7 +6,6 @@
 #include <thread>
 #include <vector>
 
-#include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
 #include "exchange/recordings/demonstration_table.h"
 #include "exchange/recordings/recording_reader.h"
@@ -14,6 +13,7 @@
 #include "exchange/recordings/trace_table.h"
 #include "geometry/system/regular_file.h"
 #include "geometry/system/text_case.h"
+#include "haptic/client/server_address.h"
 #include "haptic/client/server_watch.h"
 #include "haptic/protocol/link_problem.h"
 #include "manipulation/session/exercise.h"
@@ -126,7 +126,7 @@ Expected<WatchedSamples> watchServer(const std::string& server, double seconds) 
   // Four looks a tick: none of the server's states is missed on a machine that is not overloaded. Half as often: a few
   // in a thousand are; twice: more of a processor.
   constexpr auto kLook = std::chrono::microseconds(250);
-  const auto address = parseServerAddress(server, "--server");
+  const auto address = haptic::parseServerAddress(server, "--server");
   HAPTICELL_TRY(address);
   const auto link = haptic::watchServer(address->host, address->port, "hapticell-cli record");
   HAPTICELL_TRY(link);

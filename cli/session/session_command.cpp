@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cli/kit/command_listener.h"
-#include "cli/kit/server_address.h"
 #include "cli/live/live_options.h"
 #include "cli/session/session_commands.h"
 #include "cli/session/session_plan.h"
@@ -19,6 +18,7 @@
 #include "cli/session/session_settings.h"
 #include "exchange/recordings/recording_writer.h"
 #include "geometry/system/plain_number.h"
+#include "haptic/client/server_address.h"
 #include "manipulation/session/local_server.h"
 #include "manipulation/session/server_session.h"
 #include "manipulation/session/session.h"
@@ -194,7 +194,7 @@ Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptio
     HAPTICELL_TRY(own);
     return manipulation::runSessionOnServer(options, "127.0.0.1", (*own)->port(), trace);
   }
-  const auto address = parseServerAddress(words.server, "--server");
+  const auto address = haptic::parseServerAddress(words.server, "--server");
   HAPTICELL_TRY(address);
   return manipulation::runSessionOnServer(options, address->host, address->port, trace);
 }

@@ -9,6 +9,7 @@
 #include "agents/runner/agent_loop.h"
 #include "agents/runner/agent_run.h"
 #include "agents/runner/deadlock_watch.h"
+#include "agents/runner/planned_way.h"
 #include "agents/runner/run_recorder.h"
 #include "agents/wishes/operator_agent.h"
 #include "collision/queries/proximity_query.h"
@@ -160,6 +161,50 @@ class Pusher final : public Agent {
     wish.arrow_W = {0.05, 0.01, -0.02};
   }
 };
+
+TEST(AgentLoop, DrawsBackTheWayThatItCame) {
+  const auto cell = boxBeforeWall(false);
+  std::vector<WeightedAgent> agents(1);
+  agents[0].name = "pusher";
+  agents[0].agent = std::make_unique<Pusher>();
+  AgentLoop loop(cell->start().placed(cell->start().configuration()), cell->clearances().fresh(), std::move(agents),
+                 cell->task().goal, 0.003, 0);
+  const dvec3 p_WStart = loop.body().handle().p;
+  std::vector<double> came{p_WStart.x};
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_TRUE(loop.step());
+    came.push_back(loop.body().handle().p.x);
+  }
+  const double end = loop.body().handle().p.x;
+  EXPECT_NEAR(end - p_WStart.x, 0.05, 1e-9);
+  loop.drawBack(0.03);
+  for (int i = 0; i < 20 && loop.isDrawingBack(); ++i) {
+    const double t = loop.t(), before = loop.body().handle().p.x;
+    loop.step();
+    EXPECT_DOUBLE_EQ(loop.t(), t + AgentLoop::kStep);
+    EXPECT_LE(before - loop.body().handle().p.x, 0.25 * AgentLoop::kStep + 0.01) << "no faster than it moves";
+    EXPECT_NE(std::find(came.begin(), came.end(), loop.body().handle().p.x), came.end()) << "where it was before";
+    EXPECT_EQ(loop.wishes()[0].strength, 0.0);
+  }
+  EXPECT_FALSE(loop.isDrawingBack());
+  EXPECT_NEAR(end - loop.body().handle().p.x, 0.03, 1.1e-3);
+  ASSERT_TRUE(loop.step()) << "then agents move it again";
+  loop.drawBack(10.0);
+  for (int i = 0; i < 50 && loop.isDrawingBack(); ++i) loop.step();
+  EXPECT_FALSE(loop.isDrawingBack());
+  EXPECT_EQ(loop.body().handle().p, p_WStart);
+}
+
+TEST(AgentRuns, ABodyThatIsCaughtDrawsBackBeforeThePlannerIsAskedAgain) {
+  const auto cell = shipped("trunk-access.toml");
+  EXPECT_EQ(backBeforePlan(cell->start(), 0), 0.0) << "the first way begins where it is";
+  EXPECT_GT(backBeforePlan(cell->start(), 2), backBeforePlan(cell->start(), 1));
+  EXPECT_EQ(backBeforePlan(boxBeforeWall(false)->start(), 2), 0.0) << "planned as a whole from where it is";
+  constexpr std::uint64_t kCaughtAtTheSill = 5;
+  const RunResult run = runOnce(*cell, kCaughtAtTheSill, RunMode::kBoth, {});
+  EXPECT_TRUE(run.solved) << english(run.reason);
+  EXPECT_GE(run.plans, 2) << "the first way did not free it";
+}
 
 TEST(RunRecorder, KeepsTheMiddleOfASolidAndWhatEachAgentWanted) {
   const auto cell = boxBeforeWall(false);

@@ -3,10 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
-#include <thread>
-
 #include "manipulation/checks/path_check.h"
 #include "tests/agents/test_bodies.h"
 
@@ -16,24 +12,29 @@ namespace {
 using Phase = AgentSession::Phase;
 using test::boxBeforeWall;
 
-/// Waits; the patience only ends a test that would never end.
-bool until(const std::function<bool()>& is_so) {
-  constexpr int kPatience = 12000;  // Of 10 ms.
-  for (int i = 0; i < kPatience && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return is_so();
+constexpr double kPatience = 120.0;  // s; only ends a test that would never end.
+
+bool reaches(const AgentSession& session, Phase phase) {
+  return session.waitUntil([phase](const AgentSession::State& state) { return state.phase == phase; }, kPatience);
+}
+bool leaves(const AgentSession& session, Phase phase) {
+  return session.waitUntil([phase](const AgentSession::State& state) { return state.phase != phase; }, kPatience);
+}
+bool makes(const AgentSession& session, std::size_t steps) {
+  return session.waitUntil([steps](const AgentSession::State& state) { return state.steps == steps; }, kPatience);
 }
 
 TEST(AgentSession, StepsOneByOneAndWithoutTheAgentsThatAreOff) {
   AgentSession session(boxBeforeWall(false), 1);
   EXPECT_EQ(session.state().phase, Phase::kPaused);
   session.stepOnce();
-  ASSERT_TRUE(until([&] { return session.state().steps == 1; }));
+  ASSERT_TRUE(makes(session, 1));
   const double moved = session.state().X_WM.p.x;
   EXPECT_GT(moved, 0.0);
   EXPECT_DOUBLE_EQ(session.state().t, AgentLoop::kStep);
   session.setAgent("goal", false, 1.0);
   session.stepOnce();
-  ASSERT_TRUE(until([&] { return session.state().steps == 2; }));
+  ASSERT_TRUE(makes(session, 2));
   EXPECT_EQ(session.state().X_WM.p.x, moved);
   EXPECT_EQ(session.motion().size(), 3U) << "the start and two steps";
 }
@@ -42,15 +43,15 @@ TEST(AgentSession, ADeadlockWaitsForThePlannerWhoseWayIsFollowedToTheGoal) {
   const auto cell = boxBeforeWall(false);
   AgentSession session(cell, 1);
   session.run();
-  ASSERT_TRUE(until([&] { return session.state().phase == Phase::kDeadlocked; }));
+  ASSERT_TRUE(reaches(session, Phase::kDeadlocked));
   const auto stuck = session.state();
   EXPECT_NE(english(stuck.says).find("wall"), std::string::npos) << english(stuck.says);
   EXPECT_EQ(stuck.deadlocks, 1);
   EXPECT_LT(stuck.X_WM.p.x, 0.35 + 1e-9) << "before the wall";
   session.askPlanner();
-  ASSERT_TRUE(until([&] { return session.state().phase != Phase::kPlanning; }));
+  ASSERT_TRUE(leaves(session, Phase::kPlanning));
   EXPECT_EQ(session.state().plans, 1);
-  ASSERT_TRUE(until([&] { return session.state().phase != Phase::kRunning; }));
+  ASSERT_TRUE(leaves(session, Phase::kRunning));
   EXPECT_EQ(session.state().phase, Phase::kArrived) << english(session.state().says);
   EXPECT_LE(session.state().remaining, cell->task().goal.tolerance);
   const auto found = manipulation::checkPath(cell->scene(), "box", session.motion(), {}, {});
@@ -61,15 +62,20 @@ TEST(AgentSession, ADeadlockWaitsForThePlannerWhoseWayIsFollowedToTheGoal) {
 TEST(AgentSession, AHandLeadsOutOfADeadlock) {
   AgentSession session(boxBeforeWall(true), 1);
   session.run();
-  ASSERT_TRUE(until([&] { return session.state().phase == Phase::kDeadlocked; }));
+  ASSERT_TRUE(reaches(session, Phase::kDeadlocked));
   session.setHand(Twist{{0.0, 0.0, 0.2}, dvec3(0.0)});
   session.takeByHand();
-  ASSERT_TRUE(until([&] { return session.state().X_WM.p.z > 0.4; }));
+  ASSERT_TRUE(session.waitUntil([](const AgentSession::State& state) { return state.X_WM.p.z > 0.4; }, kPatience));
   session.setHand({});
-  ASSERT_TRUE(until([&] { return session.state().phase != Phase::kRunning; }));
+  ASSERT_TRUE(leaves(session, Phase::kRunning));
   EXPECT_EQ(session.state().phase, Phase::kArrived) << "over the wall the goal attracts again";
   session.pause();
   EXPECT_NE(session.wishes().find("operator_z"), std::string::npos);
+}
+
+TEST(AgentSession, WaitingEndsWithItsTime) {
+  const AgentSession session(boxBeforeWall(false), 1);
+  EXPECT_FALSE(session.waitUntil([](const AgentSession::State& state) { return state.steps > 0; }, 0.001)) << "it is paused";
 }
 
 TEST(AgentSession, EndsWhileThePlannerIsAsked) {

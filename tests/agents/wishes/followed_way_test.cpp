@@ -50,6 +50,15 @@ TEST(FollowedWay, LeadsAFrameOverItsStops) {
   EXPECT_EQ(way.remaining(*body), 0.0);
 }
 
+TEST(FollowedWay, PassesCornersAtFullSpeedAndSlowsDownAtTheEnd) {
+  const auto body = bodyOf(loaded("box:0.1,0.1,0.1", 1, "box"));
+  const dvec3 p_W0 = body->handle().p;
+  const FollowedWay::Stop near{Pose::translation(p_W0 + dvec3(0.03, 0.0, 0.0)), {}};
+  const FollowedWay::Stop corner{Pose::translation(p_W0 + dvec3(0.03, 0.4, 0.0)), {}};
+  EXPECT_NEAR(FollowedWay({near}, false).velocities(*body, 0.25, 1.0)[0], 5.0 * 0.03, 1e-3);
+  EXPECT_NEAR(FollowedWay({near, corner}, false).velocities(*body, 0.25, 1.0)[0], 0.25, 1e-3);
+}
+
 TEST(FollowedWay, LeadsARobotStraightBetweenJoints) {
   auto body = bodyOf(test::arm());
   const std::vector<double> from = body->configuration().joints;

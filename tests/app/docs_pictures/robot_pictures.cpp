@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the docks of robots.
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QSpinBox>
 #include <QTest>
 #include <QTableView>
 
+#include "app/ros2/cell_copy.h"
+#include "app/ros2/ros2_process.h"
 #include "app/studies/study_panel.h"
 #include "tests/app/docs_pictures/picture_page.h"
 
@@ -142,6 +146,39 @@ void console(const PictureTask& task) {
   page.keep();
 }
 
+/// The robot of the demonstration follows another program, whose topics are listed.
+void ros2(const PictureTask& task) {
+  PicturePage page(task, Stylus::kNone);
+  ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
+  page.trigger("actionRos2");
+  constexpr int kDomain = 93;
+  page.find<QSpinBox>("spinRos2Domain")->setValue(kDomain);
+  page.find<QCheckBox>("switchRos2ThisMachine")->setChecked(true);
+  const workcell::EntityId robot = page.document().findByName("robot")->id;
+  const double turned = page.document().find(robot)->joints()[0] + 0.4;
+  workcell::Document other = page.document();
+  std::vector<double> joints = page.document().find(robot)->joints();
+  joints[0] = turned;
+  ASSERT_TRUE(other.execute(workcell::SetJoints{robot, joints}));
+  CellCopy copy;
+  const auto cell = copy.write(other);
+  ASSERT_TRUE(cell);
+  Ros2Process played;
+  played.start({{"do", "publish"}, {"domain", kDomain}, {"this_machine", true}, {"workcell", *cell}, {"seconds", 0}});
+  page.press("buttonRos2Topics");
+  const auto* list = page.find<QPlainTextEdit>("textRos2Topics");
+  const auto* find = page.find<QAbstractButton>("buttonRos2Topics");
+  ASSERT_TRUE(PicturePage::until([&] { return list->toPlainText().contains("/joint_states") && find->isEnabled(); }, PicturePage::kPatience));
+  page.chooseSegment("segmentsRos2Way", 1);
+  page.press("buttonRos2");
+  const auto follows = [&] { return std::abs(page.document().find(robot)->joints()[0] - turned) < 1e-9; };
+  ASSERT_TRUE(PicturePage::until(follows, PicturePage::kPatience)) << "it does not follow";
+  const auto* says = page.find<QLabel>("labelRos2");
+  ASSERT_TRUE(PicturePage::until([&] { return says->text().startsWith("On."); }, PicturePage::kPatience));
+  page.look({2.45, -1.85, 1.85}, {0.72, 0.1, 0.80});
+  page.keep();
+}
+
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
@@ -151,7 +188,8 @@ std::vector<DocsPicture> robotPictures() {
           {"access", {1600, 1000}, "dockAccess", access},
           {"planning", {1600, 1000}, "dockPlan", planning},
           {"agents", {1600, 1000}, "dockAgents", agents},
-          {"python-console", {1600, 1000}, "dockPythonConsole", console}};
+          {"python-console", {1600, 1000}, "dockPythonConsole", console},
+          {"ros2", {1600, 1000}, "dockRos2", ros2}};
 }
 
 }  // namespace hapticell::app

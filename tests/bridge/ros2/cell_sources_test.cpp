@@ -118,9 +118,17 @@ class SettingsIn {
 };
 
 TEST(WatchedServer, WithoutAnAddressThereIsNone) {
-  const auto link = watchedServer("");
+  const auto link = watchedServer("", "--hold");
   ASSERT_TRUE(link) << link.error().message();
   EXPECT_EQ(*link, nullptr);
+}
+
+TEST(WatchedServer, AnAddressWithoutAPortIsRefusedBeforeAnyServerIsLookedFor) {
+  for (const char* wrong : {"127.0.0.1", "station-2", ":4799", "127.0.0.1:", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:47x"}) {
+    const auto link = watchedServer(wrong, "--hold");
+    ASSERT_FALSE(link) << wrong;
+    EXPECT_THAT(link.error().message(), HasSubstr("--hold: '" + std::string(wrong) + "'; expected HOST:PORT"));
+  }
 }
 
 // Servers that do not answer or refuse are tested with haptic/client/server_watch.h, whose wait a test can shorten.
@@ -131,7 +139,7 @@ TEST(WatchedServer, LooksForTheKeyOfHostAndPort) {
   std::filesystem::create_directories(key.parent_path());
   std::filesystem::copy_file(folder.write("no.key", "this is no key\n"), key);
   std::filesystem::permissions(key, std::filesystem::perms::owner_read | std::filesystem::perms::others_read);
-  const auto link = watchedServer("127.0.0.1:4799");
+  const auto link = watchedServer("127.0.0.1:4799", "--hold");
   ASSERT_FALSE(link) << "others can read the key";
   EXPECT_EQ(link.error().file, key.string());
   EXPECT_THAT(link.error().message(), HasSubstr("other users can read"));

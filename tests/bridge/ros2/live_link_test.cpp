@@ -7,15 +7,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "bridge/ros2/ros_conversion.h"
+#include "bridge/ros2/ros_listener.h"
 #include "bridge/ros2/taken_samples.h"
+#include "bridge/ros2/topic_list.h"
 #include "tests/bridge/ros2/private_domain.h"
 #include "tests/bridge/ros2/slide_cell.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::bridge {
 namespace {
@@ -192,6 +197,54 @@ TEST(LiveLink, RefusesACellThatIsMissingAndARobotThatIsNotThere) {
   const auto missing = runLiveLink(options, stop);
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().message(), ::testing::HasSubstr("missing.hcell"));
+}
+
+TEST(FindTopics, ListsWhatOthersPublishAndReadByName) {
+  const PrivateDomain domain;
+  const auto others = PrivateDomain::node();
+  for (const char* topic : {"/left/joint_states", "/right/joint_states", "/left/joint_states"})
+    ASSERT_TRUE(others->advertise(topic, sensor_msgs_msg_dds__JointState__desc, RosQuality::kDefault));
+  ASSERT_TRUE(others->subscribe("/left/robot_description", std_msgs_msg_dds__String__desc, RosQuality::kLatched));
+  std::atomic<bool> stop{false};
+  TopicSearch search{PrivateDomain::options(), 30.0, [&stop](const auto& found) { stop = found["topics"].size() == 3; }};
+  const auto found = findTopics(search, stop);
+  ASSERT_TRUE(found) << found.error().message();
+  const auto& topics = (*found)["topics"];
+  ASSERT_EQ(topics.size(), 3u) << topics.dump();
+  const auto row = [](const char* name, const char* type, int publishers, int subscribers) {
+    return nlohmann::ordered_json{{"name", name}, {"type", type}, {"publishers", publishers}, {"subscribers", subscribers}};
+  };
+  EXPECT_EQ(topics[0], row("/left/joint_states", "sensor_msgs::msg::dds_::JointState_", 2, 0));
+  EXPECT_EQ(topics[1], row("/left/robot_description", "std_msgs::msg::dds_::String_", 0, 1));
+  EXPECT_EQ(topics[2], row("/right/joint_states", "sensor_msgs::msg::dds_::JointState_", 1, 0));
+}
+
+TEST(Listen, TakesTheDescriptionOfTheNamedTopic) {
+  const test::TemporaryFolder folder;
+  const PrivateDomain domain;
+  const auto robots = PrivateDomain::node();
+  for (const std::string side : {"left", "right"}) {
+    const auto writer = robots->advertise("/" + side + "/robot_description", std_msgs_msg_dds__String__desc, RosQuality::kLatched);
+    ASSERT_TRUE(writer);
+    std::string urdf = "<robot name=\"" + side + "\"><link name=\"base\"/></robot>";
+    const std_msgs_msg_dds__String_ message{urdf.data()};
+    ASSERT_TRUE(robots->write(*writer, &message));
+  }
+  ListenOptions options;
+  options.node = PrivateDomain::options();
+  options.description = (folder.path() / "robot.urdf").string();
+  options.description_topic = "/right/robot_description";
+  options.seconds = 30.0;
+  const std::atomic<bool> stop{false};
+  const auto heard = listen(options, stop);
+  ASSERT_TRUE(heard) << heard.error().message();
+  std::ifstream file(options.description);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "<robot name=\"right\"><link name=\"base\"/></robot>");
+  options.description_topic = "/nobody";
+  options.seconds = 0.05;
+  const auto nobody = listen(options, stop);
+  ASSERT_FALSE(nobody);
+  EXPECT_THAT(nobody.error().message(), ::testing::HasSubstr("/nobody"));
 }
 
 }  // namespace

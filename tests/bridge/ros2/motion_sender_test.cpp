@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "geometry/system/packed_text.h"
 #include "tests/bridge/ros2/played_controller.h"
 #include "tests/bridge/ros2/private_domain.h"
 #include "tests/bridge/ros2/slide_cell.h"
+#include "tests/haptic/server/live_server.h"
 
 namespace hapticell::bridge {
 namespace {
@@ -83,9 +87,13 @@ class PlayedRobot {
  public:
   enum class Answer { kReject, kSucceed, kCancel };
 
-  /// `stop` is set once the goal came if the answer is kCancel.
-  PlayedRobot(const std::string& action, double position, Answer answer, std::atomic<bool>& stop)
-      : node_(PrivateDomain::node()), controller_(*node_, action, RpcForm::kNumbered), position_(position), answer_(answer), stop_(stop) {
+  /// `stopping` is called once the goal came if the answer is kCancel, in the robot's thread.
+  PlayedRobot(const std::string& action, double position, Answer answer, std::function<void()> stopping = {})
+      : node_(PrivateDomain::node()),
+        controller_(*node_, action, RpcForm::kNumbered),
+        position_(position),
+        answer_(answer),
+        stopping_(std::move(stopping)) {
     const auto writer = node_->advertise("/joint_states", sensor_msgs_msg_dds__JointState__desc, RosQuality::kDefault);
     EXPECT_TRUE(writer);
     joints_ = writer.value_or(0);
@@ -121,7 +129,7 @@ class PlayedRobot {
   }
 
   void begin(const PlayedController::Goal& goal) {
-    if (answer_ == Answer::kCancel) stop_ = true;
+    if (answer_ == Answer::kCancel) stopping_();
     controller_.answerGoal(goal.asker, answer_ != Answer::kReject);
     if (answer_ == Answer::kReject) return;
     controller_.publishStates({{goal.id, GoalState::kExecuting}});
@@ -133,7 +141,7 @@ class PlayedRobot {
   PlayedController controller_;
   double position_;
   Answer answer_;
-  std::atomic<bool>& stop_;
+  std::function<void()> stopping_;
   dds_entity_t joints_ = 0;
   std::atomic<bool> over_{false};
   std::thread thread_;
@@ -145,8 +153,8 @@ TEST(SendMotion, SendsNothingToARobotThatIsElsewhere) {
   SendOptions options = shortMotion(cell);
   options.confirmation = checkedMotion(options.motion)->confirmation;
   options.wait = 30.0;
-  std::atomic<bool> stop{false};
-  PlayedRobot robot(options.motion.action, 0.002, PlayedRobot::Answer::kSucceed, stop);  // 1 mm is allowed.
+  const std::atomic<bool> stop{false};
+  PlayedRobot robot(options.motion.action, 0.002, PlayedRobot::Answer::kSucceed);  // 1 mm is allowed.
   const auto sent = sendMotion(options, stop);
   ASSERT_FALSE(sent) << sent->dump();
   EXPECT_THAT(sent.error().message(), HasSubstr("joint 'x' of the robot is not at the first point"));
@@ -165,7 +173,7 @@ TEST(SendMotion, SendsWhatWasConfirmedAndSaysHowItEnded) {
   for (const auto& [answer, outcome] :
        {std::pair(Answer::kSucceed, "succeeded"), {Answer::kCancel, "canceled"}, {Answer::kReject, "rejected"}}) {
     std::atomic<bool> stop{false};
-    PlayedRobot robot(options.motion.action, 0.0005, answer, stop);
+    PlayedRobot robot(options.motion.action, 0.0005, answer, [&stop] { stop = true; });
     const auto sent = sendMotion(options, stop);
     ASSERT_TRUE(sent) << outcome << ": " << sent.error().message();
     EXPECT_EQ((*sent)["sent"], true) << outcome;
@@ -179,6 +187,77 @@ TEST(SendMotion, SendsWhatWasConfirmedAndSaysHowItEnded) {
     if (answer != Answer::kCancel) continue;
     EXPECT_FALSE(controller.cancellations().empty());
     EXPECT_FALSE((*sent)["reason"].get<std::string>().empty());
+  }
+}
+
+/// A haptic server with a played stylus; another program holds it, as a person would.
+class PlayedStylus {
+ public:
+  PlayedStylus() {
+    haptic::TcpLinkOptions options;
+    options.port = server_.port();
+    hand_ = std::make_unique<haptic::TcpLink>(options);
+    EXPECT_TRUE(haptic::connects(*hand_));
+  }
+  std::string address() const { return "127.0.0.1:" + std::to_string(server_.port()); }
+  void press() { hand_->sendHandTarget({.holding = true, .X_DH = kHeld, .buttons = 1}); }
+  void letGo() { hand_->sendHandTarget({.holding = true, .X_DH = kHeld, .buttons = 0}); }
+  void endServer() { server_.stop(); }
+
+ private:
+  const Pose kHeld = Pose::translation(dvec3(0.0, 0.0, 0.005));
+  haptic::LiveServer server_;
+  std::unique_ptr<haptic::TcpLink> hand_;
+};
+
+TEST(SendMotion, NothingIsSentUntilAButtonOfTheStylusIsHeld) {
+  const SlideCell cell(0.015, 0.5);
+  const PrivateDomain domain;
+  PlayedStylus stylus;
+  SendOptions options = shortMotion(cell);
+  options.confirmation = checkedMotion(options.motion)->confirmation;
+  options.hold = stylus.address();
+  options.wait = 1.0;
+  PlayedRobot robot(options.motion.action, 0.0, PlayedRobot::Answer::kSucceed);
+  std::string said;
+  // Again where a busy machine took the second for finding the controller.
+  for (int i = 0; i < 20 && said.find("button") == std::string::npos; ++i) said = refusalOf(options);
+  EXPECT_THAT(said, HasSubstr("no button of the stylus was pressed"));
+  EXPECT_THAT(said, HasSubstr(stylus.address()));
+  EXPECT_TRUE(robot.end().goals().empty());
+  for (const char* wrong : {"127.0.0.1", "127.0.0.1:0"}) {
+    options.hold = wrong;
+    EXPECT_THAT(refusalOf(options), HasSubstr("--hold")) << wrong;
+  }
+}
+
+TEST(SendMotion, TheRobotStopsWhenTheButtonIsLetGoOrItsServerIsLost) {
+  const SlideCell cell(0.015, 0.5);
+  const PrivateDomain domain;
+  SendOptions options = shortMotion(cell);
+  options.confirmation = checkedMotion(options.motion)->confirmation;
+  options.texts = true;
+  options.wait = 30.0;
+  using Answer = PlayedRobot::Answer;
+  enum class End { kHeld, kLetGo, kLost };
+  for (const End end : {End::kHeld, End::kLetGo, End::kLost}) {
+    PlayedStylus stylus;
+    stylus.press();
+    options.hold = stylus.address();
+    PlayedRobot robot(options.motion.action, 0.0005, end == End::kHeld ? Answer::kSucceed : Answer::kCancel,
+                      [&stylus, end] { end == End::kLetGo ? stylus.letGo() : stylus.endServer(); });
+    const std::atomic<bool> stop{false};
+    const auto sent = sendMotion(options, stop);
+    ASSERT_TRUE(sent) << sent.error().message();
+    const PlayedController& controller = robot.end();
+    EXPECT_EQ(controller.goals().size(), 1u);
+    EXPECT_EQ((*sent)["outcome"], end == End::kHeld ? "succeeded" : "canceled");
+    EXPECT_EQ(controller.cancellations().empty(), end == End::kHeld);
+    if (end == End::kHeld) continue;
+    EXPECT_THAT((*sent)["reason"].get<std::string>(), HasSubstr("the button of the stylus was released, or its server was lost"));
+    const auto text = unpackedText((*sent)["reason_text"].get<std::string>());
+    ASSERT_TRUE(text);
+    EXPECT_EQ(english(*text), (*sent)["reason"]) << "the window translates it";
   }
 }
 

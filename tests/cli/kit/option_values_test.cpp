@@ -9,7 +9,6 @@
 #include <set>
 
 #include "cli/kit/motion_options.h"
-#include "cli/kit/server_address.h"
 #include "cli/kit/timing.h"
 #include "cli/kit/value_kind.h"
 #include "cli/kit/workcell_arguments.h"
@@ -24,32 +23,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
-
-TEST(ServerAddress, ThePortIsBehindTheLastColon) {
-  for (const auto& [text, host, port] :
-       {std::tuple("station-2:4711", "station-2", 4711), std::tuple("[fe80::1]:1", "[fe80::1]", 1),
-        std::tuple("10.0.0.7:65535", "10.0.0.7", 65535)}) {
-    const auto address = parseServerAddress(text, "--server");
-    ASSERT_TRUE(address) << text;
-    EXPECT_EQ(address->host, host);
-    EXPECT_EQ(address->port, port);
-  }
-  const auto usual = parseServerAddress("station-2", "server", 7000);
-  ASSERT_TRUE(usual);
-  EXPECT_EQ(usual->host, "station-2");
-  EXPECT_EQ(usual->port, 7000);
-  EXPECT_EQ(parseServerAddress("station-2:8", "server", 7000)->port, 8);
-}
-
-TEST(ServerAddress, OthersAreErrorsThatNameTheOption) {
-  for (const char* bad : {"", "host", ":80", "host:", "host:0", "host:65536", "host:-1", "host:8o", "host: 80", "a:b:"}) {
-    const auto address = parseServerAddress(bad, "--server");
-    ASSERT_FALSE(address) << bad;
-    EXPECT_THAT(address.error().message(), HasSubstr("--server"));
-    EXPECT_THAT(address.error().message(), HasSubstr(std::string("'") + bad + "'"));
-  }
-  for (const char* bad : {"", ":80", "host:"}) EXPECT_FALSE(parseServerAddress(bad, "server", 7000)) << bad;
-}
 
 TEST(XacroArguments, EachBeginsBehindACommaAndMayHoldCommas) {
   const FileWithArguments read = splitXacroArguments("some,arm.xacro,prefix:=left_,size:=1,2,url:=a:=b,empty:=");

@@ -21,7 +21,7 @@ TEST(Ros2Command, TakesItsWords) {
                         {{"ros2", "send", "--workcell", "a.hcell", "--motion", "b.htraj"}, "--action is required"},
                         {{"ros2", "send", "--workcell", "a.hcell", "--motion", "b.htraj", "--action", "/c", "--joint-share", "2"},
                          "--joint-share"}});
-  EXPECT_THAT(test::OneCommand({addRos2Command}).below("ros2"), ::testing::ElementsAre("publish", "package", "listen", "send"));
+  EXPECT_THAT(test::OneCommand({addRos2Command}).below("ros2"), ::testing::ElementsAre("publish", "package", "listen", "topics", "send"));
 }
 
 /// A variable of the environment for as long as this lives.

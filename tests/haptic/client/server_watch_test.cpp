@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <tuple>
+
+#include "haptic/client/server_address.h"
 #include "tests/haptic/server/live_server.h"
 #include "tests/haptic/server/raw_client.h"
 
@@ -11,6 +15,32 @@ namespace hapticell::haptic {
 namespace {
 
 using ::testing::HasSubstr;
+
+TEST(ServerAddress, ThePortIsBehindTheLastColon) {
+  for (const auto& [text, host, port] :
+       {std::tuple("station-2:4711", "station-2", 4711), std::tuple("[fe80::1]:1", "[fe80::1]", 1),
+        std::tuple("10.0.0.7:65535", "10.0.0.7", 65535)}) {
+    const auto address = parseServerAddress(text, "--server");
+    ASSERT_TRUE(address) << text;
+    EXPECT_EQ(address->host, host);
+    EXPECT_EQ(address->port, port);
+  }
+  const auto usual = parseServerAddress("station-2", "server", 7000);
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(usual->host, "station-2");
+  EXPECT_EQ(usual->port, 7000);
+  EXPECT_EQ(parseServerAddress("station-2:8", "server", 7000)->port, 8);
+}
+
+TEST(ServerAddress, OthersAreErrorsThatNameTheOption) {
+  for (const char* bad : {"", "host", ":80", "host:", "host:0", "host:65536", "host:-1", "host:8o", "host: 80", "a:b:"}) {
+    const auto address = parseServerAddress(bad, "--server");
+    ASSERT_FALSE(address) << bad;
+    EXPECT_THAT(address.error().message(), HasSubstr("--server"));
+    EXPECT_THAT(address.error().message(), HasSubstr(std::string("'") + bad + "'"));
+  }
+  for (const char* bad : {"", ":80", "host:"}) EXPECT_FALSE(parseServerAddress(bad, "server", 7000)) << bad;
+}
 
 TEST(ServerWatch, GivesALinkThatIsConnectedAndTakesTheStylusFromNobody) {
   LiveServer server;

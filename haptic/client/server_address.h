@@ -7,7 +7,7 @@
 
 #include "geometry/system/error.h"
 
-namespace hapticell::cli {
+namespace hapticell::haptic {
 
 /// Address of a haptic server.
 struct ServerAddress {
@@ -16,8 +16,8 @@ struct ServerAddress {
 };
 
 /// Reads HOST:PORT, with the port after the last colon; only HOST is allowed if `usual_port` is not 0. Errors name
-/// `option`.
+/// `option`. Any thread.
 Expected<ServerAddress> parseServerAddress(const std::string& text, std::string_view option,
                                            std::uint16_t usual_port = 0);
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::haptic

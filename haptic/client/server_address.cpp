@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/kit/server_address.h"
+#include "haptic/client/server_address.h"
 
 #include <charconv>
 
-namespace hapticell::cli {
+namespace hapticell::haptic {
 
 Expected<ServerAddress> parseServerAddress(const std::string& text, std::string_view option, std::uint16_t usual_port) {
   const std::size_t colon = text.rfind(':');
@@ -21,4 +21,4 @@ Expected<ServerAddress> parseServerAddress(const std::string& text, std::string_
   return ServerAddress{text.substr(0, colon), port};
 }
 
-}  // namespace hapticell::cli
+}  // namespace hapticell::haptic
