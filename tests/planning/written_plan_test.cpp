@@ -91,6 +91,40 @@ TEST(WrittenPlan, KeepsClearOfWhatTheRobotTouchesInTheCell) {
   EXPECT_LT(promises.list.front().measured, 0.05);
 }
 
+double valueOf(const Promises& promises, const std::string& name) {
+  for (const Promise& one : promises.list)
+    if (one.name == name) return one.measured;
+  ADD_FAILURE() << name;
+  return -1.0;
+}
+
+/// Poses that are passed in their order are found on the file; in another order, or beside the way, they are missed.
+TEST(WrittenPlan, PassesItsPosesInTheirOrder) {
+  Made made;
+  made.problem.scene = test::boxWithBar(0.3);
+  made.problem.entity = 1;
+  made.problem.goal = goal::ToPose{Pose::translation({0.5, 0.0, 0.1})};
+  made.problem.clearance = 0.02;
+  made.problem.through = {Pose::translation({0.0, 0.0, 0.6}),
+                          {{0.5, 0.0, 0.6}, glm::angleAxis(0.4, dvec3(0.0, 0.0, 1.0))}};
+  const auto space = FreeSpace::create(made.problem.scene, 1, {});
+  const auto result = plan(made.problem, *space);
+  ASSERT_TRUE(result && result->isSolved());
+  made.plan = *result->plan;
+  made.motion = *timedMotion(made.plan, *space);
+  const Promises promises = measured(made, made.motion);
+  EXPECT_TRUE(promises.areKept()) << promises.missed("plan").message();
+  EXPECT_LT(valueOf(promises, "through"), 1e-3);
+  EXPECT_LT(valueOf(promises, "pose"), 1e-5);
+  std::swap(made.plan.X_WThrough[0], made.plan.X_WThrough[1]);
+  EXPECT_GT(valueOf(measured(made, made.motion), "through"), 0.1);
+  std::swap(made.plan.X_WThrough[0], made.plan.X_WThrough[1]);
+  made.plan.X_WThrough[1].p.y += 3e-3;
+  EXPECT_NEAR(valueOf(measured(made, made.motion), "through"), 3e-3, 1e-3);
+  made.plan.X_WGoal->q = glm::angleAxis(0.1, dvec3(1.0, 0.0, 0.0));
+  EXPECT_NEAR(valueOf(measured(made, made.motion), "pose"), 0.01, 1e-4);
+}
+
 /// A bar that lies on a plate, flush or pressed in by `depth` (m), beside a wall.
 Made makeFromThePlate(double depth) {
   Made made;
