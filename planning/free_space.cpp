@@ -273,13 +273,13 @@ const StandingFigure* FreeSpace::figure() const {
 }
 
 std::vector<EntityConfiguration> FreeSpace::posturesAt(const Pose& X_WT, const EntityConfiguration& from,
-                                                       double* missing) const {
+                                                       Shortfall* shortfall) const {
   HAPTICELL_DEMAND(plan_->figure() != nullptr);
   std::vector<EntityConfiguration> starts{from};
   if (const auto* finder = plan_->manipulator().postureFinder()) {
     for (EntityConfiguration& upright : finder->upright(from)) starts.push_back(std::move(upright));
   }
-  return plan_->figure()->posturesAt(X_WT, starts, missing);
+  return plan_->figure()->posturesAt(X_WT, starts, shortfall);
 }
 
 const workcell::Entity& FreeSpace::entity() const {

@@ -22,6 +22,7 @@ namespace hapticell::planning {
 struct CheckedPair;
 class SpacePlan;
 class StandingFigure;
+struct Shortfall;
 using manipulation::EntityConfiguration;
 
 /// Two parts that come nearer than they may.
@@ -108,7 +109,8 @@ class FreeSpace {
   /// Of a mannequin; null: a robot or a solid.
   const StandingFigure* figure() const;
   /// Postures with the grip of the mannequin's moved hand at X_WT, by StandingFigure::posturesAt(). Contract: a figure.
-  std::vector<EntityConfiguration> posturesAt(const Pose& X_WT, const EntityConfiguration& from, double* missing) const;
+  std::vector<EntityConfiguration> posturesAt(const Pose& X_WT, const EntityConfiguration& from,
+                                              Shortfall* shortfall = nullptr) const;
 
   const workcell::Entity& entity() const;
   bool hasJoints() const { return entity().robot() != nullptr; }

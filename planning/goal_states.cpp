@@ -93,7 +93,7 @@ class GoalFinder {
 
   std::vector<EntityConfiguration> configurationsAt(const Pose& X_WT) {
     if (!space_.hasJoints()) return {{X_WT, {}}};
-    if (space_.figure() != nullptr) return space_.posturesAt(X_WT, start_, nullptr);
+    if (space_.figure() != nullptr) return space_.posturesAt(X_WT, start_);
     std::vector<EntityConfiguration> all;
     kinematics::SolutionListOptions options;
     options.with_turns = true;
@@ -215,10 +215,17 @@ class GoalFinder {
     failure.kind = Failure::Kind::kReach;
     const bool is_left = space_.figure()->side() == mannequin::Side::kLeft;
     const Text hand = is_left ? Text("left hand") : Text("right hand");
-    double missing = 0.0;
-    space_.posturesAt(X_WT, start_, &missing);
-    failure.reason = Text("the goal is out of reach of the %1 of %2 without a step; %3 are missing", hand,
-                          space_.entity().name, Text::Length{missing});
+    Shortfall shortfall;
+    space_.posturesAt(X_WT, start_, &shortfall);
+    const std::string& name = space_.entity().name;
+    failure.reason = std::isfinite(shortfall.missing)
+                         ? Text("the goal is out of reach of the %1 of %2 without a step; %3 are missing", hand, name,
+                                Text::Length{shortfall.missing})
+                         : Text("the goal is out of reach of the %1 of %2 without a step", hand, name);
+    if (shortfall.nearest && space_.isFree(*shortfall.nearest)) {
+      setNearest(failure, std::move(*shortfall.nearest), X_WT);
+      return failure;
+    }
     // On the straight way from the hand to the goal: how far it gets.
     const Pose X_WStart = space_.toolAt(start_);
     for (int left = kNearestShares - 1; left > 0 && !failure.nearest; --left) {

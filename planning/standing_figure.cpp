@@ -47,6 +47,9 @@ constexpr double kPelvisSpeed = 0.25, kPelvisTurn = 0.5;
 constexpr int kElbows = 16;
 /// rad: legs and arms in closed form may be beyond a limit by rounding. Half, twice: as well.
 constexpr double kExact = 1e-9;
+/// m, a radian counting like 0.1 m, for a posture of the solver: below Passing. Half: places at joint limits count as
+/// out of reach; twice: the written motion misses its pose.
+constexpr double kWithin = 9e-4;
 
 constexpr std::array kArmDofs{Dof::kLeftClavicleElevation,
                               Dof::kLeftClavicleProtraction,
@@ -288,7 +291,7 @@ void StandingFigure::addWithElbows(const Posture& trunk, const Pose& X_WH,
 
 std::vector<EntityConfiguration> StandingFigure::posturesAt(const Pose& X_WM,
                                                             const std::vector<EntityConfiguration>& starts,
-                                                            double* missing) const {
+                                                            Shortfall* shortfall) const {
   const auto i = static_cast<std::size_t>(side_);
   const Pose X_WH{X_WM.p - X_WM.rotate(figure_->p_HandGrip[i]), X_WM.q};
   mannequin::PostureTask task;
@@ -299,13 +302,20 @@ std::vector<EntityConfiguration> StandingFigure::posturesAt(const Pose& X_WM,
   task.loads = loads_;
   const mannequin::PostureSolver solver(*figure_);
   std::vector<EntityConfiguration> found;
-  double least = std::numeric_limits<double>::infinity();
+  Shortfall least{std::numeric_limits<double>::infinity()};
   for (const EntityConfiguration& start : starts) {
     const auto result = solver.solve(task, postureOf(start));
     addWithElbows(result.posture, X_WH, found);
-    least = std::min(least, result.hand_position_error[i] + 0.1 * result.hand_orientation_error[i]);
+    EntityConfiguration own = onItsFeet(configurationOf(result.posture));
+    const Pose now = mannequin::handPose(mannequin::forwardKinematics(*figure_, postureOf(own)), side_);
+    const Twist off = difference(now, X_WH);
+    const double missing = glm::length(off.linear) + 0.1 * glm::length(off.angular);
+    if (missing >= least.missing || !stands(own)) continue;
+    least = {missing, std::move(own)};
   }
-  if (missing != nullptr) *missing = least;
+  // Joints on their limits: the closed form is beyond them by a hair.
+  if (found.empty() && least.missing < kWithin) found.push_back(*least.nearest);
+  if (shortfall != nullptr) *shortfall = std::move(least);
   const EntityConfiguration& first = starts.front();
   std::stable_sort(found.begin(), found.end(), [&](const EntityConfiguration& a, const EntityConfiguration& b) {
     return leastTime(first, a) < leastTime(first, b);

@@ -17,6 +17,12 @@ namespace hapticell::planning {
 
 using manipulation::EntityConfiguration;
 
+/// What is known where no posture brings the hand to a pose: the posture that brings it nearest, if it stands.
+struct Shortfall {
+  double missing = 0.0;  ///< m, a radian counting like 0.1 m; infinite if no posture stands.
+  std::optional<EntityConfiguration> nearest = {};
+};
+
 /// A mannequin whose one hand moves while its feet stay: pelvis, spine and that arm are free, the legs follow in closed
 /// form, neck, fingers and the other arm stay as they are.
 ///
@@ -57,11 +63,11 @@ class StandingFigure {
   /// rad/s, one a variable of its model.
   std::vector<double> speeds() const;
 
-  /// Standing postures with the hand's grip at X_WM, exactly: from the trunks that the posture solver finds from
-  /// `starts`, with the elbow all around. The nearest to the first start first. Empty: none; then `missing` (m), if
-  /// given, is how far the grip of the nearest posture stays from X_WM, infinite where none was found at all.
+  /// Standing postures with the hand's grip at X_WM: from the trunks that the posture solver finds from `starts`,
+  /// exactly, with the elbow all around; where limits prevent that, the solver's own, within Passing. The nearest to
+  /// the first start first. Empty: none; then `shortfall` is set, if given.
   std::vector<EntityConfiguration> posturesAt(const Pose& X_WM, const std::vector<EntityConfiguration>& starts,
-                                              double* missing) const;
+                                              Shortfall* shortfall) const;
   /// What stays although it could move, and why; empty: it stands.
   const Text& note() const { return note_; }
   mannequin::Side side() const { return side_; }
