@@ -16,7 +16,7 @@ struct Leaving {
   double least = 0.0, t_least = 0.0;      ///< Least gap (m, up to the look) of all that is not being left or reached.
   double deepest = 0.0, closing = 0.0;    ///< m; see checkWrittenPlan().
   Text where_deepest{}, where_closing{};  ///< The pairs.
-  std::vector<std::string> still{};       ///< Parts of a mannequin that stay where they are ("worker/l_foot").
+  std::vector<std::string> still{};       ///< Parts of a mannequin that stay where they are ("worker/l_hindfoot").
 };
 
 struct LeavingLook {

@@ -10,6 +10,7 @@
 #include "manipulation/checks/motion_replay.h"
 #include "mannequin/shape/figure_model.h"
 #include "planning/plan.h"
+#include "planning/space_plan.h"
 #include "planning/timed_plan.h"
 #include "planning/written_plan.h"
 #include "tests/planning/planning_cells.h"
@@ -54,7 +55,7 @@ Pose gripOf(const workcell::Entity& worker, const EntityConfiguration& at) {
 
 void expectOnItsFeet(const workcell::Entity& worker, const EntityConfiguration& at, double most) {
   const EntityConfiguration stands{worker.X_WE, worker.joints()};
-  for (const char* foot : {"l_foot", "r_foot"}) {
+  for (const char* foot : {"l_hindfoot", "r_hindfoot"}) {
     const Twist off = difference(linkPose(worker, at, foot), linkPose(worker, stands, foot));
     EXPECT_LT(glm::length(off.linear) + 0.1 * glm::length(off.angular), most) << foot;
   }
@@ -93,6 +94,22 @@ TEST(StandingFigure, BringsTheGripExactlyToAPoseOnItsFeet) {
       expectOnItsFeet(worker, {between.X_WE, between.joints}, 2e-4);
     }
   }
+}
+
+TEST(SpacePlan, LeavesOutOnlyWhatStands) {
+  const auto made = SpacePlan::create(workerCell(), 1, {}, {}, Side::kLeft);
+  ASSERT_TRUE(made) << made.error().message();
+  const SpacePlan& plan = **made;
+  std::size_t calves = 0;
+  for (const CheckedPair& pair : plan.pairs()) {
+    EXPECT_EQ(pair.words.moved.find("hindfoot"), std::string::npos) << pair.words.moved;
+    EXPECT_EQ(pair.words.moved.find("forefoot"), std::string::npos) << pair.words.moved;
+    if (pair.words.moved.find("calf") != std::string::npos && pair.words.met == "floor") ++calves;
+  }
+  EXPECT_EQ(calves, 2u);
+  EXPECT_EQ(plan.obstacles().size(), 2u);
+  EXPECT_FALSE(plan.ownPairs().empty()) << "its hands with its own body";
+  EXPECT_TRUE(plan.note().empty()) << english(plan.note());
 }
 
 TEST(StandingFigure, TellsWhatDoesNotStand) {

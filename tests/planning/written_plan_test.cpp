@@ -5,6 +5,7 @@
 
 #include "geometry/system/scratch_folder.h"
 #include "planning/timed_plan.h"
+#include "planning/written_poses.h"
 #include "tests/planning/planning_cells.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/text/file_content.h"
@@ -96,6 +97,33 @@ double valueOf(const Promises& promises, const std::string& name) {
     if (one.name == name) return one.measured;
   ADD_FAILURE() << name;
   return -1.0;
+}
+
+/// A straight way of a metre that is passed at its middle, and turned by 0.02 rad against that pose.
+TEST(WrittenPoses, MeasuresPlaceAndTurnBetweenFrames) {
+  trajectory::Trajectory motion;
+  motion.entity = "bar";
+  for (int i = 0; i < 4; ++i) {
+    trajectory::Trajectory::Frame frame;
+    frame.t = i;
+    frame.X_WT = Pose::translation({i / 3.0, 0.0, 0.0});
+    motion.addFrame(frame, {});
+  }
+  const auto scene = test::boxWithBar(0.3);
+  const auto poses = writtenPoses(motion, {}, *scene->find(1), {});
+  ASSERT_EQ(poses.size(), 4u);
+  Plan plan;
+  plan.X_WThrough = {Pose{{0.5, 0.0, 0.0}, glm::angleAxis(0.02, dvec3(0.0, 0.0, 1.0))}};
+  const auto turned = posePromises(motion, poses, plan);
+  ASSERT_EQ(turned.size(), 1u);
+  EXPECT_NEAR(turned.front().measured, 0.002, 1e-9);
+  EXPECT_FALSE(turned.front().isKept());
+  plan.X_WThrough = {Pose::translation({0.5, 5e-4, 0.0})};
+  plan.X_WGoal = Pose::translation({1.0, 0.0, 0.0});
+  const auto passed = posePromises(motion, poses, plan);
+  ASSERT_EQ(passed.size(), 2u);
+  EXPECT_NEAR(passed.front().measured, 5e-4, 1e-9);
+  EXPECT_TRUE(passed.front().isKept() && passed.back().isKept());
 }
 
 /// Poses that are passed in their order are found on the file; in another order, or beside the way, they are missed.
