@@ -71,7 +71,7 @@ void ReferenceChoice::list() {
 
 bool ReferenceChoice::goesWith(workcell::EntityId entity) const {
   const workcell::DocumentState& state = host_.documentModel().document().state();
-  const auto chosen = chosen();
+  const auto reference = chosen();
   const workcell::Entity* frame = reference ? state.find(reference->entity) : nullptr;
   return frame && workcell::isCarriedBy(state, *frame, entity);
 }
