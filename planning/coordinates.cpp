@@ -9,6 +9,8 @@
 #include <memory>
 #include <numbers>
 
+#include "planning/standing_figure.h"
+
 namespace hapticell::planning {
 
 namespace {
@@ -22,11 +24,21 @@ constexpr double kTrialStep = 0.1;
 /// m a unit of a joint at least: joints that hardly move anything still count. Half, twice: such joints turn more or
 /// less freely.
 constexpr double kLeastLever = 0.05;
+/// Range of a variable that does not move: OMPL wants one. Half, twice: as well.
+constexpr double kNoRange = 1e-6;
+/// Share of the samples of a mannequin with its arm anywhere. Half: arms are led round things late; twice: trunks and
+/// arms hardly move together.
+constexpr double kFreeArms = 0.5;
+/// Share of the ranges by which a sample lies beside the way from start to goal at most. Half: no bowing under things;
+/// twice: most samples do not stand.
+constexpr double kBeside = 0.5;
 
 }  // namespace
 
 Coordinates::Coordinates(const FreeSpace& space, const SearchJob& job) : space_(space), start_(job.start) {
-  if (space_.hasJoints()) {
+  if (space_.figure() != nullptr) {
+    setFigureRanges(job);
+  } else if (space_.hasJoints()) {
     setJointRanges(job);
   } else {
     setBox(job);
@@ -58,8 +70,9 @@ ob::StateSpacePtr Coordinates::makeSpace() const {
 void Coordinates::write(const EntityConfiguration& at, ob::State* state) const {
   if (space_.hasJoints()) {
     double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    const std::vector<double> numbers = numbersOf(at);
     for (std::size_t i = 0; i < lever_.size(); ++i) {
-      values[i] = std::clamp(at.joints[i], lower_[i], upper_[i]) * lever_[i];
+      values[i] = std::clamp(numbers[i], lower_[i], upper_[i]) * lever_[i];
     }
     return;
   }
@@ -75,6 +88,11 @@ EntityConfiguration Coordinates::read(const ob::State* state) const {
   EntityConfiguration at = start_;
   if (space_.hasJoints()) {
     const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    if (const StandingFigure* figure = space_.figure()) {
+      StandingFigure::Numbers numbers{};
+      for (std::size_t i = 0; i < lever_.size(); ++i) numbers[i] = values[i] / lever_[i];
+      return figure->configurationOf(numbers);
+    }
     for (std::size_t i = 0; i < lever_.size(); ++i) at.joints[i] = values[i] / lever_[i];
     return at;
   }
@@ -86,6 +104,10 @@ EntityConfiguration Coordinates::read(const ob::State* state) const {
 
 void Coordinates::sample(std::mt19937_64& random, ob::State* state) const {
   const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
+  if (space_.figure() != nullptr) {
+    sampleFigure(random, state);
+    return;
+  }
   if (space_.hasJoints()) {
     double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
     for (std::size_t i = 0; i < lever_.size(); ++i) {
@@ -102,14 +124,63 @@ void Coordinates::sample(std::mt19937_64& random, ob::State* state) const {
   write(at, state);
 }
 
+/// Trunks anywhere hardly ever stand: pelvis and spine are taken from between the start and a goal, more or less far
+/// beside it; the arm is anywhere, or as those.
+void Coordinates::sampleFigure(std::mt19937_64& random, ob::State* state) const {
+  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
+  double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+  const auto& goal = goals_[static_cast<std::size_t>(unit() * static_cast<double>(goals_.size()))];
+  const double share = unit(), beside = unit(), arm = unit();
+  for (std::size_t i = 0; i < lever_.size(); ++i) {
+    double value = std::lerp(numbers_of_start_[i], goal[i], share);
+    const double off = 2.0 * unit() - 1.0;
+    if (i >= StandingFigure::kArm && arm < kFreeArms) {
+      value = std::lerp(lower_[i], upper_[i], 0.5 + 0.5 * off);
+    } else {
+      value += kBeside * beside * beside * off * (upper_[i] - lower_[i]);
+    }
+    values[i] = std::clamp(value, lower_[i], upper_[i]) * lever_[i];
+  }
+}
+
+std::vector<double> Coordinates::numbersOf(const EntityConfiguration& at) const {
+  if (space_.figure() == nullptr) return at.joints;
+  const auto numbers = space_.figure()->numbersOf(at);
+  return {numbers.begin(), numbers.end()};
+}
+
 double Coordinates::distance(const EntityConfiguration& a, const EntityConfiguration& b) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < lever_.size(); ++i) {
-    const double way = lever_[i] * (a.joints[i] - b.joints[i]);
-    sum += way * way;
+  if (!lever_.empty()) {
+    const std::vector<double> of_a = numbersOf(a), of_b = numbersOf(b);
+    for (std::size_t i = 0; i < lever_.size(); ++i) {
+      const double way = lever_[i] * (of_a[i] - of_b[i]);
+      sum += way * way;
+    }
   }
+  if (space_.figure() != nullptr) return std::sqrt(sum);
   const Twist way = difference(a.X_WE, b.X_WE);
   return std::sqrt(sum) + glm::length(way.linear) + space_.radius() * glm::length(way.angular);
+}
+
+void Coordinates::setFigureRanges(const SearchJob& job) {
+  const StandingFigure& figure = *space_.figure();
+  numbers_of_start_ = numbersOf(start_);
+  for (const EntityConfiguration& goal : job.goals) goals_.push_back(numbersOf(goal));
+  for (std::size_t i = 0; i < StandingFigure::kNumbers; ++i) {
+    lower_.push_back(std::min(figure.lower()[i], numbers_of_start_[i]));
+    upper_.push_back(std::max(figure.upper()[i], numbers_of_start_[i]));
+    for (const auto& goal : goals_) {
+      lower_[i] = std::min(lower_[i], goal[i]);
+      upper_[i] = std::max(upper_[i], goal[i]);
+    }
+    const bool stays = figure.pelvisStays() && i < StandingFigure::kPelvis;
+    if (stays) upper_[i] = lower_[i] + kNoRange;
+    StandingFigure::Numbers moved = figure.numbersOf(start_);
+    moved[i] += kTrialStep;
+    const double way = stays ? 0.0 : space_.pathBound(start_, figure.configurationOf(moved));
+    lever_.push_back(std::max(kLeastLever, way / kTrialStep));
+  }
 }
 
 void Coordinates::setJointRanges(const SearchJob& job) {

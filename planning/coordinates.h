@@ -13,8 +13,8 @@
 
 namespace hapticell::planning {
 
-/// How configurations are numbers for OMPL: joints times their levers, so that distances are metres of the parts; or a
-/// pose, turns times the radius. Constant once it is made; any thread.
+/// How configurations are numbers for OMPL: joints (of a mannequin: StandingFigure::Numbers) times their levers, so that
+/// distances are metres of the parts; or a pose, turns times the radius. Constant once it is made; any thread.
 class Coordinates {
  public:
   /// `space` must outlive it and is asked here only, but for its kind and radius.
@@ -30,11 +30,17 @@ class Coordinates {
 
  private:
   void setJointRanges(const SearchJob& job);
+  void setFigureRanges(const SearchJob& job);
   void setBox(const SearchJob& job);
+  void sampleFigure(std::mt19937_64& random, ompl::base::State* state) const;
+  /// What is multiplied by the levers.
+  std::vector<double> numbersOf(const EntityConfiguration& at) const;
 
   const FreeSpace& space_;
   EntityConfiguration start_;
   std::vector<double> lower_, upper_, lever_;
+  std::vector<double> numbers_of_start_;     ///< Of a mannequin.
+  std::vector<std::vector<double>> goals_;  ///< Of a mannequin.
   geometry::Bounds box_;
 };
 

@@ -14,10 +14,15 @@
 #include "geometry/system/text.h"
 #include "manipulation/holding/held_model.h"
 #include "manipulation/manipulators/manipulator.h"
+#include "manipulation/manipulators/moved_by.h"
 #include "manipulation/scene/prepared_scene.h"
 
 namespace hapticell::planning {
 
+struct CheckedPair;
+class SpacePlan;
+class StandingFigure;
+struct Shortfall;
 using manipulation::EntityConfiguration;
 
 /// Two parts that come nearer than they may.
@@ -36,24 +41,26 @@ struct PairGap {
   Blocker who;
 };
 
-/// Where an entity (a robot or mechanism by its joints, a solid by its pose) may be and move in a prepared cell: checks
-/// of configurations and of whole motions on the full meshes.
+/// Where an entity (a robot or mechanism by its joints, a solid by its pose, a mannequin by one of its hands) may be and
+/// move in a prepared cell: checks of configurations and of whole motions on the full meshes.
 ///
 /// It moves what a hold of the entity moves (its parts, and what is attached to it) and checks what a hold checks; the
 /// pair rules of the document count. Links against each other need only not touch. Left out are: pairs in contact mode
 /// *Pass*, pairs that no joint moves against each other (a base on its table), and links that touch at rest. For a
 /// robot, so is what it touches where it stands now and at joint positions all over its ranges too (a first link that
-/// turns on the table, a door in its hinge); note() names it. What it only touches now is checked.
+/// turns on the table, a door in its hinge); note() names it. What it only touches now is checked. A mannequin's feet
+/// stay where they are and are not checked; a posture is free only if it stands too (StandingFigure).
 ///
 /// One object belongs to one thread; fresh() makes one for another thread, and is cheap. Answers do not depend on what
 /// was asked before.
 class FreeSpace {
  public:
   /// Everything else stays where it is in the scene, or in `placements`. Errors: no such entity; one that is neither a
-  /// solid nor has joints; a mannequin (not supported). A locked entity may be checked.
+  /// solid nor has joints; a mannequin without `hand`, or `hand` with another entity. A locked entity may be checked.
   static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId entity,
                                     const config::Configuration& configuration,
-                                    const manipulation::Placements& placements = {});
+                                    const manipulation::Placements& placements = {},
+                                    const std::optional<mannequin::Side>& hand = {});
   /// The same space and clearance for another thread, without any answers known.
   FreeSpace fresh() const;
 
@@ -87,17 +94,23 @@ class FreeSpace {
   EntityConfiguration proposed(const EntityConfiguration& from, const Pose& X_WT) const;
 
   /// The configuration at `s` in [0, 1] of the motion that is checked: joints straight, or origin straight and rotation
-  /// about a fixed axis.
+  /// about a fixed axis; a mannequin's legs as its feet ask for.
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const;
   /// The longest path (m) of any point of the entity on that motion, as an upper bound.
   double pathBound(const EntityConfiguration& from, const EntityConfiguration& to) const;
-  /// X_WT of a robot's tool centre point, or X_WE of a solid.
+  /// X_WT of a robot's tool centre point or of the grip of the moved hand, or X_WE of a solid.
   Pose toolAt(const EntityConfiguration& at) const;
   /// The box around all that the entity could meet (m, world); empty if there is nothing.
   const geometry::Bounds& obstacleBounds() const;
   /// The radius (m) of a sphere around the origin of its frame E that holds a solid and what it carries; meaningless
   /// for a robot.
   double radius() const;
+
+  /// Of a mannequin; null: a robot or a solid.
+  const StandingFigure* figure() const;
+  /// Postures with the grip of the mannequin's moved hand at X_WT, by StandingFigure::posturesAt(). Contract: a figure.
+  std::vector<EntityConfiguration> posturesAt(const Pose& X_WT, const EntityConfiguration& from,
+                                              Shortfall* shortfall = nullptr) const;
 
   const workcell::Entity& entity() const;
   bool hasJoints() const { return entity().robot() != nullptr; }
@@ -109,11 +122,12 @@ class FreeSpace {
   std::size_t checks() const { return checks_; }
 
  private:
-  struct Plan;
-  explicit FreeSpace(std::shared_ptr<const Plan> plan);
+  explicit FreeSpace(std::shared_ptr<const SpacePlan> plan);
   bool standsFree(const EntityConfiguration& at);
   bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
   bool meetsNothing(bool moves);
+  bool isProven(const EntityConfiguration& from, const EntityConfiguration& to);
+  double ownWay(const CheckedPair& pair, const EntityConfiguration& from, const EntityConfiguration& to);
   bool keptApart(std::size_t own, const EntityConfiguration& at) const;
   bool ownPartsTouch(const EntityConfiguration& at);
   bool ownPartsTouch(const EntityConfiguration& from, const EntityConfiguration& to);
@@ -121,7 +135,7 @@ class FreeSpace {
   void place(const EntityConfiguration& at);
   std::optional<collision::PairDistance> measure(const EntityConfiguration& at, double limit);
 
-  std::shared_ptr<const Plan> plan_;
+  std::shared_ptr<const SpacePlan> plan_;
   collision::Scene scene_;                      ///< The moved parts first, then the obstacles; pairs of the two.
   std::vector<collision::ProximityQuery> own_;  ///< Pairs of two moved parts.
   double clearance_ = 0.0;

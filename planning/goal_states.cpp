@@ -9,6 +9,7 @@
 #include "geometry/system/overloaded.h"
 #include "kinematics/model/solution_list.h"
 #include "manipulation/checks/inverse_batch.h"
+#include "planning/standing_figure.h"
 
 namespace hapticell::planning {
 
@@ -23,6 +24,9 @@ constexpr int kRegionSamples = 64;
 /// m: how far from a goal that is not free the nearest free place is looked for. Half the steps: coarser answers;
 /// twice: twice the time.
 constexpr double kNearestSteps[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
+/// Places on the straight way of a mannequin's hand at which the nearest that it reaches is looked for. Half: coarser
+/// answers; twice: twice the time.
+constexpr int kNearestShares = 20;
 /// rad or m: joints beyond a limit by rounding are on it. Half: numbers typed with six digits are refused; twice: 2e-6
 /// beyond passes.
 constexpr double kOnLimit = 1e-6;
@@ -66,7 +70,7 @@ class GoalFinder {
   }
 
   Expected<void> prepareInverse() {
-    if (!space_.hasJoints() || inverse_) return {};
+    if (!space_.hasJoints() || space_.figure() != nullptr || inverse_) return {};
     auto inverse = manipulation::inverseToTool(space_.entity());
     HAPTICELL_TRY(inverse);
     inverse_ = std::move(*inverse);
@@ -89,6 +93,7 @@ class GoalFinder {
 
   std::vector<EntityConfiguration> configurationsAt(const Pose& X_WT) {
     if (!space_.hasJoints()) return {{X_WT, {}}};
+    if (space_.figure() != nullptr) return space_.posturesAt(X_WT, start_);
     std::vector<EntityConfiguration> all;
     kinematics::SolutionListOptions options;
     options.with_turns = true;
@@ -112,6 +117,8 @@ class GoalFinder {
 
   Expected<GoalStates> toJoints(const std::vector<double>& joints) {
     const auto& robot = space_.entity().robot();
+    if (space_.figure() != nullptr)
+      return makeError(goalError(space_, Text("joints"), Text("a pose of the mannequin's hand")));
     if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
     if (joints.size() != robot->dof())
       return makeError(
@@ -169,6 +176,8 @@ class GoalFinder {
   }
 
   Expected<GoalStates> outOfCell(double margin) {
+    if (space_.figure() != nullptr)
+      return makeError(goalError(space_, Text("out of the cell"), Text("a pose, because the mannequin's feet stay")));
     if (space_.hasJoints())
       return makeError(
           goalError(space_, Text("out of the cell"), Text("a pose or joints, because it is fixed by its base")));
@@ -200,8 +209,38 @@ class GoalFinder {
     failure.nearest = std::move(at);
   }
 
+  /// No standing posture within the limits brings the hand there.
+  Failure handCannotReach(const Pose& X_WT) {
+    Failure failure;
+    failure.kind = Failure::Kind::kReach;
+    const bool is_left = space_.figure()->side() == mannequin::Side::kLeft;
+    const Text hand = is_left ? Text("left hand") : Text("right hand");
+    Shortfall shortfall;
+    space_.posturesAt(X_WT, start_, &shortfall);
+    const std::string& name = space_.entity().name;
+    failure.reason = std::isfinite(shortfall.missing)
+                         ? Text("the goal is out of reach of the %1 of %2 without a step; %3 are missing", hand, name,
+                                Text::Length{shortfall.missing})
+                         : Text("the goal is out of reach of the %1 of %2 without a step", hand, name);
+    if (shortfall.nearest && space_.isFree(*shortfall.nearest)) {
+      setNearest(failure, std::move(*shortfall.nearest), X_WT);
+      return failure;
+    }
+    // On the straight way from the hand to the goal: how far it gets.
+    const Pose X_WStart = space_.toolAt(start_);
+    for (int left = kNearestShares - 1; left > 0 && !failure.nearest; --left) {
+      for (EntityConfiguration& at : configurationsAt(interpolate(X_WStart, X_WT, 1.0 * left / kNearestShares))) {
+        if (!space_.isFree(at)) continue;
+        setNearest(failure, std::move(at), X_WT);
+        break;
+      }
+    }
+    return failure;
+  }
+
   /// No joints within the limits bring the tool there.
   Failure unreachable(const Pose& X_WT) {
+    if (space_.figure() != nullptr) return handCannotReach(X_WT);
     const auto solution = inverse_->solve(start_.X_WE.inverse() * X_WT, start_.joints);
     const bool limited = solution.status == kinematics::InverseStatus::kLimit;
     Failure failure;

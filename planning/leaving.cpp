@@ -80,7 +80,7 @@ std::vector<EntityConfiguration> endsOf(const FreeSpace& space, const EntityConf
   for (const dvec3& direction : directionsOf(space, at, tight)) {
     ends.push_back(space.proposed(at, {X_WT.p + way * direction, X_WT.q}));
   }
-  if (!space.hasJoints()) return ends;
+  if (!space.hasJoints() || space.figure() != nullptr) return ends;
   const kinematics::RobotModel& robot = *space.entity().robot();
   for (std::size_t i = 0; i < at.joints.size(); ++i) {
     const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[i])];

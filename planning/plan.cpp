@@ -262,6 +262,9 @@ class Planning {
     }
     plan.waypoints = std::move(path_);
     plan.through = std::move(through_);
+    plan.X_WThrough = problem_.through;
+    plan.hand = problem_.hand;
+    if (const auto* to = std::get_if<goal::ToPose>(&problem_.goal)) plan.X_WGoal = to->X_WT;
     return plan;
   }
 
@@ -302,7 +305,7 @@ Expected<PlanResult> plan(const Problem& problem, const FreeSpace& space) {
 }
 
 Expected<PlanResult> plan(const Problem& problem, const config::Configuration& configuration) {
-  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements);
+  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements, problem.hand);
   HAPTICELL_TRY(space);
   return plan(problem, *space);
 }

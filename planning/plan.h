@@ -14,12 +14,22 @@
 
 namespace hapticell::planning {
 
+/// How well a motion passes a pose, for Plan::X_WThrough and X_WGoal: a millimetre and a hundredth of a radian. What a
+/// user takes for exact; half: slower at corners; twice: a tool visibly beside a frame.
+struct Passing {
+  static constexpr double kPosition = 1e-3;  ///< m
+  static constexpr double kTurn = 1e-2;      ///< rad
+};
+
 /// A motion without times, free with the clearance that was asked: straight between neighbouring waypoints
 /// (FreeSpace::between), first the start, last the goal.
 struct Plan {
   std::vector<EntityConfiguration> waypoints;
   /// Indices of the waypoints at the poses of Problem::through.
   std::vector<std::size_t> through;
+  std::vector<Pose> X_WThrough;      ///< Problem::through.
+  std::optional<Pose> X_WGoal = {};  ///< Of goal::ToPose.
+  std::optional<mannequin::Side> hand = {};  ///< Problem::hand
   double length = 0.0;         ///< Way of the tool (of a solid's origin), m.
   double clearance_min = 0.0;  ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
   /// m: it was planned with so much more than the clearance, so that its corners may be rounded off (timedMotion()).

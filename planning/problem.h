@@ -19,7 +19,8 @@ using manipulation::EntityConfiguration;
 /// Goals of a plan.
 namespace goal {
 
-/// The tool centre point of a robot at X_WT, in any of its configurations; a solid's own frame at X_WT.
+/// The tool centre point of a robot at X_WT, in any of its configurations; a solid's own frame, or the grip of a
+/// mannequin's hand, at X_WT.
 struct ToPose {
   Pose X_WT;
 };
@@ -62,6 +63,8 @@ struct LeavingRule {
 struct Problem {
   std::shared_ptr<const manipulation::PreparedScene> scene;
   workcell::EntityId entity = 0;
+  /// Of a mannequin: the hand that moves, by its grip; the feet stay. Empty for all others.
+  std::optional<mannequin::Side> hand = {};
   /// Where entities are that do not stand as in the scene; the planned one too.
   manipulation::Placements placements = {};
   /// Where the motion begins; empty: where the entity stands.

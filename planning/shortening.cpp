@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "planning/standing_figure.h"
+
 namespace hapticell::planning {
 
 namespace {
@@ -107,6 +109,7 @@ class Shortening {
 }  // namespace
 
 double leastTime(const FreeSpace& space, const EntityConfiguration& from, const EntityConfiguration& to) {
+  if (space.figure() != nullptr) return space.figure()->leastTime(from, to);
   if (!space.hasJoints()) {
     const Twist way = difference(to.X_WE, from.X_WE);
     return std::max(glm::length(way.linear) / kSolidSpeed, glm::length(way.angular) / kSolidTurn);

@@ -13,7 +13,7 @@ namespace hapticell::planning {
 inline constexpr double kSolidSpeed = 0.5, kSolidTurn = 2.0;
 
 /// The least time (s) of the motion between two configurations: the slowest joint at its greatest speed, or a solid at
-/// 0.5 m/s and 2 rad/s.
+/// 0.5 m/s and 2 rad/s; a mannequin by StandingFigure::leastTime().
 double leastTime(const FreeSpace& space, const EntityConfiguration& from, const EntityConfiguration& to);
 
 /// A path with the same ends, free like the given one, that takes less time: waypoints are left out, random shortcuts

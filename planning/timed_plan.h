@@ -15,7 +15,8 @@ struct TimingChoice {
 };
 
 /// The plan as the fastest motion within the joints' greatest speeds and accelerations (full speed in 0.25 s; a solid:
-/// 0.5 m/s and 2 rad/s), from rest to rest, with the poses of the tool (moved "tcp") or of the solid ("self_origin").
+/// 0.5 m/s and 2 rad/s), from rest to rest, with the poses of the tool (moved "tcp"), of the solid ("self_origin") or of
+/// the whole mannequin ("whole").
 /// Corners are rounded off by no more than the slack of the plan lets parts come nearer. Errors: those of
 /// trajectory::retimed(), for example a plan that does not move.
 Expected<trajectory::Trajectory> timedMotion(const Plan& plan, const FreeSpace& space, const TimingChoice& choice = {});

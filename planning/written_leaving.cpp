@@ -25,12 +25,18 @@ constexpr int kHalvings = 10;
 /// m by which a gap may be below the clearance and count as clear: rounding of the file. Half, twice: as good.
 constexpr double kRounding = 1e-6;
 
+/// m: what of a mannequin moves no farther stands: feet are in place within a third of it. Half: passes as well; twice: a
+/// foot that creeps is not measured.
+constexpr double kStays = 1e-3;
+
 /// The parts of what moved at the frames of a motion.
 class MeasuredMotion {
  public:
   virtual ~MeasuredMotion() = default;
   virtual void nearer(std::size_t frame, double limit, std::vector<NearPair>& near) = 0;
   virtual PlacedPair placed(std::size_t frame, std::uint32_t pair) = 0;
+  /// Names of parts that stay and are left out.
+  virtual std::vector<std::string> still() const { return {}; }
 };
 
 class JointMotion final : public MeasuredMotion {
@@ -54,17 +60,20 @@ class JointMotion final : public MeasuredMotion {
   std::vector<double> joints_;
 };
 
-class SolidMotion final : public MeasuredMotion {
+/// A solid by its poses, or a mannequin by its poses and its joints.
+class PlacedMotion final : public MeasuredMotion {
  public:
-  SolidMotion(std::unique_ptr<manipulation::HeldEntity> held, const Trajectory& fine)
-      : held_(std::move(held)), fine_(fine) {
+  PlacedMotion(std::unique_ptr<manipulation::HeldEntity> held, const workcell::Entity& entity, const Trajectory& fine,
+               const std::vector<std::size_t>& columns)
+      : held_(std::move(held)), entity_(entity), fine_(fine), columns_(columns), joints_(entity.joints()) {
     const manipulation::FreeMotion& motion = held_->motion();
     for (const auto& part : motion.parts()) cell_.addPart({}, part);
     for (const auto& obstacle : motion.obstacles()) cell_.addPart({}, obstacle.collider, obstacle.X_WO);
     const auto first = static_cast<std::uint32_t>(motion.parts().size());
+    const std::vector<bool> stays = staying();
     for (std::uint32_t i = 0; i < motion.pairs().size(); ++i) {
       const manipulation::MotionPair& pair = motion.pairs()[i];
-      if (pair.blocks && pair.other_part < 0) cell_.addPair(pair.part, first + pair.obstacle, i);
+      if (pair.blocks && pair.other_part < 0 && !stays[pair.part]) cell_.addPair(pair.part, first + pair.obstacle, i);
     }
   }
   void nearer(std::size_t frame, double limit, std::vector<NearPair>& near) override {
@@ -81,18 +90,50 @@ class SolidMotion final : public MeasuredMotion {
     return {cell_.sharedCollider(a), cell_.sharedCollider(b), cell_.pose(a), cell_.pose(b),
             held_->nameOf(*held_->movedParts()[words.part].part), held_->nameOf(*held_->obstacleParts()[words.obstacle])};
   }
+  std::vector<std::string> still() const override { return still_; }
 
  private:
   void place(std::size_t frame) {
+    for (std::size_t j = 0; j < columns_.size(); ++j) joints_[columns_[j]] = fine_.joints(frame)[j];
+    if (entity_.robot()) kinematics::forwardKinematics(*entity_.robot(), joints_, X_EL_);
     for (std::uint32_t i = 0; i < held_->movedParts().size(); ++i) {
-      cell_.setPose(i, fine_[frame].X_WT * held_->movedParts()[i].X_LP);
+      const manipulation::MovedPart& part = held_->movedParts()[i];
+      const Pose X_EL = entity_.robot() ? X_EL_[static_cast<std::size_t>(std::max(0, part.link))] : Pose::identity();
+      cell_.setPose(i, fine_[frame].X_WT * X_EL * part.X_LP);
     }
   }
 
+  /// Which parts no point of which leaves its place by kStays.
+  std::vector<bool> staying() {
+    const std::size_t count = held_->movedParts().size();
+    std::vector<bool> stays(count, entity_.figure() != nullptr);
+    std::vector<Pose> first(count);
+    for (std::size_t frame = 0; frame < fine_.size() && entity_.figure() != nullptr; ++frame) {
+      place(frame);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const Pose& now = cell_.pose(i);
+        if (frame == 0) first[i] = now;
+        const collision::MeshCollider& shape = *held_->motion().parts()[i];
+        const auto apart = trajectory::distanceBetween(now, first[i]);
+        const double size = glm::length(shape.center()) + shape.radius();
+        if (apart.position + size * apart.angle > kStays) stays[i] = false;
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (stays[i]) still_.push_back(held_->nameOf(*held_->movedParts()[i].part));
+    }
+    return stays;
+  }
+
   std::unique_ptr<manipulation::HeldEntity> held_;
+  const workcell::Entity& entity_;
   const Trajectory& fine_;
+  const std::vector<std::size_t>& columns_;
+  std::vector<double> joints_;
+  std::vector<Pose> X_EL_;
   collision::Scene cell_;
   std::vector<collision::PairDistance> found_;
+  std::vector<std::string> still_;
 };
 
 /// How far A is moved along a direction until it is free of B: doubled, then halved.
@@ -211,7 +252,7 @@ Expected<std::unique_ptr<MeasuredMotion>> motionOf(const Trajectory& fine, const
                                                    const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                                    const workcell::Entity& entity,
                                                    const config::Configuration& configuration) {
-  if (!columns.empty()) {
+  if (!columns.empty() && entity.figure() == nullptr) {
     auto check =
         manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOutLasting);
     HAPTICELL_TRY(check);
@@ -220,9 +261,10 @@ Expected<std::unique_ptr<MeasuredMotion>> motionOf(const Trajectory& fine, const
   manipulation::HoldOptions hold;
   hold.on_contact = entity.contact.on_contact;
   hold.force_class = entity.contact.force_class;
+  hold.joints_move = entity.figure() != nullptr;
   auto held = manipulation::HeldEntity::take(scene, entity.id, {}, hold, configuration);
   HAPTICELL_TRY(held);
-  return std::make_unique<SolidMotion>(std::move(*held), fine);
+  return std::make_unique<PlacedMotion>(std::move(*held), entity, fine, columns);
 }
 
 }  // namespace
@@ -233,7 +275,9 @@ Expected<Leaving> measuredLeaving(const Trajectory& fine, const std::vector<std:
                                   const config::Configuration& configuration) {
   const auto motion = motionOf(fine, columns, scene, entity, configuration);
   HAPTICELL_TRY(motion);
-  return Judge(fine, **motion, look).run();
+  Leaving leaving = Judge(fine, **motion, look).run();
+  leaving.still = (*motion)->still();
+  return leaving;
 }
 
 }  // namespace hapticell::planning

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "planning/written_plan.h"
@@ -15,6 +16,7 @@ struct Leaving {
   double least = 0.0, t_least = 0.0;      ///< Least gap (m, up to the look) of all that is not being left or reached.
   double deepest = 0.0, closing = 0.0;    ///< m; see checkWrittenPlan().
   Text where_deepest{}, where_closing{};  ///< The pairs.
+  std::vector<std::string> still{};       ///< Parts of a mannequin that stay where they are ("worker/l_hindfoot").
 };
 
 struct LeavingLook {
@@ -22,7 +24,8 @@ struct LeavingLook {
   double look = 0.05;      ///< m: larger gaps are not measured.
 };
 
-/// Measures the gaps of all pairs of a robot's (columns: its joints) or a solid's parts with the cell at all frames.
+/// Measures the gaps of all pairs of a robot's (columns: its joints), a mannequin's or a solid's parts with the cell at
+/// all frames. What of a mannequin does not move by a millimetre on the whole motion (its feet) is left out.
 /// Shares the rule's numbers with the code that plans, and nothing else. Errors: those of JointCheck and HeldEntity.
 Expected<Leaving> measuredLeaving(const trajectory::Trajectory& fine, const std::vector<std::size_t>& columns,
                                   const std::shared_ptr<const manipulation::PreparedScene>& scene,

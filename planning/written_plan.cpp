@@ -8,6 +8,7 @@
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
 #include "planning/written_leaving.h"
+#include "planning/written_poses.h"
 #include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/number_text.h"
 
@@ -57,6 +58,10 @@ double differenceOf(const Trajectory& motion, std::size_t frame, const EntityCon
     return std::max(apart.position, apart.angle);
   }
   double worst = 0.0;
+  if (motion.moved == "whole") {
+    const auto apart = trajectory::distanceBetween(motion[frame].X_WT, wanted.X_WE);
+    worst = std::max(apart.position, apart.angle);
+  }
   for (std::size_t j = 0; j < columns.size(); ++j) {
     worst = std::max(worst, std::abs(motion.joints(frame)[j] - wanted.joints[columns[j]]));
   }
@@ -89,8 +94,11 @@ Text timeText(double t) {
   return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4));
 }
 
-/// A contact of a pair that is left or reached just then.
-bool isAllowed(const manipulation::PathFinding& finding, const std::vector<TightPair>& tight) {
+/// A contact of a pair that is left or reached just then, or of a foot that stands.
+bool isAllowed(const manipulation::PathFinding& finding, const Leaving& leaving) {
+  const auto& still = leaving.still;
+  if (std::find(still.begin(), still.end(), finding.first) != still.end()) return true;
+  const std::vector<TightPair>& tight = leaving.tight;
   return std::any_of(tight.begin(), tight.end(), [&](const TightPair& one) {
     if (one.moved != finding.first || one.met != finding.second) return false;
     return one.is_reached ? finding.t_in >= one.t : finding.t_out <= one.t;
@@ -144,24 +152,29 @@ Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, con
   const auto check = manipulation::checkPath(scene, entity->name, fine, options, configuration);
   HAPTICELL_TRY(check);
 
+  const bool is_figure = entity->figure() != nullptr;
   Clearance least{std::min(options.look, check->least_clearance), check->t_nearest};
-  if (!columns->empty()) {
+  if (!columns->empty() && !is_figure) {
     auto of_joints = clearanceOfJoints(fine, *columns, scene, *entity, options.look, configuration);
     HAPTICELL_TRY(of_joints);
     least = *of_joints;
   }
   Leaving leaving;
-  if (plan.leaves_contact) {
+  if (plan.leaves_contact || is_figure) {
     auto measured = measuredLeaving(fine, *columns, scene, *entity, {clearance, options.look}, configuration);
     HAPTICELL_TRY(measured);
     leaving = std::move(*measured);
-    if (!leaving.tight.empty()) least = {leaving.least, leaving.t_least};
+    if (!leaving.tight.empty() || is_figure) least = {leaving.least, leaving.t_least};
+    if (!plan.leaves_contact) {
+      for (const TightPair& one : leaving.tight) least = {std::max(0.0, std::min(least.least, one.gap)), one.t};
+      leaving.tight.clear();
+    }
   }
   double contacts = 0.0, beyond = 0.0;
   Text where_contact, where_beyond;
   for (const manipulation::PathFinding& finding : check->findings) {
     if (finding.kind == manipulation::PathFinding::Kind::kCollision) {
-      if (isAllowed(finding, leaving.tight)) continue;
+      if (isAllowed(finding, leaving)) continue;
       contacts += 1.0;
       where_contact = Text("%1 touches %2", finding.first, finding.second);
     }
@@ -176,7 +189,13 @@ Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, con
   // A millionth of a metre: distances of the file's numbers, written to the last bit, differ by far less.
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
   promises.list.push_back({"contacts", 0.0, contacts, "", {}, false, 0.0, where_contact, Text("no contact on the way")});
-  promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
+  if (is_figure) {
+    for (Promise& one : figurePromises(fine, *columns, *entity)) promises.list.push_back(std::move(one));
+  } else {
+    promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
+  }
+  const std::vector<Pose> X_WT = writtenPoses(fine, *columns, *entity, plan.hand);
+  for (Promise& one : posePromises(fine, X_WT, plan)) promises.list.push_back(std::move(one));
   const char* const unit = columns->empty() ? "m" : "rad";
   promises.list.push_back(
       {"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), unit, {}, false, 0.0});

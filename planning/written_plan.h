@@ -34,7 +34,9 @@ struct WrittenPlan {
 ///
 /// The clearance is measured at the frames and at places between them, so close that no part moves by more than about
 /// 2 mm from one to the next. Shares nothing with the code that plans: the scene is asked by manipulation/checks.
-/// Promises: "clearance" (m), "contacts" and "limits" (findings), "start" and "goal" (m or rad of the worst number).
+/// Promises: "clearance" (m), "contacts" and "limits" (findings), "start" and "goal" (m or rad of the worst number); with
+/// poses to pass "through", with a pose as goal "pose" (m; a radian counts like 0.1 m); of a mannequin "feet" and "balance"
+/// (m; see written_poses.h).
 /// If the plan leaves contacts, pairs that begin or end in contact or nearer than the clearance are judged by LeavingRule
 /// until they are left and once they are reached, and add two promises: "depth" (m) at start and goal, and "closing" (m):
 /// by how much a gap becomes smaller that is to open, or larger that is to close. Gaps below 0 are the shortest shift

@@ -29,7 +29,7 @@ ReferenceChoice::ReferenceChoice(Host& host, const QStringList& fixed, QWidget* 
   setMinimumContentsLength(8);
   setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
   connect(this, &QComboBox::activated, this, [this] {
-    wanted_ = current();
+    wanted_ = chosen();
     emit referenceChanged();
   });
   connect(&host_.documentModel(), &DocumentModel::changed, this, &ReferenceChoice::list);
@@ -42,7 +42,7 @@ void ReferenceChoice::leaveOut(workcell::EntityId entity) {
   list();
 }
 
-std::optional<Reference> ReferenceChoice::current() const {
+std::optional<Reference> ReferenceChoice::chosen() const {
   const int index = currentIndex() - fixed_;
   if (index < 0 || index >= static_cast<int>(references_.size())) return std::nullopt;
   return references_[static_cast<std::size_t>(index)];
@@ -53,7 +53,7 @@ int ReferenceChoice::fixedEntry() const {
 }
 
 void ReferenceChoice::list() {
-  const auto before = current();
+  const auto before = chosen();
   auto fresh = referencesOf(host_.documentModel().document().state(), without_);
   if (fresh != references_) {
     const bool had = hasFrames();
@@ -66,24 +66,29 @@ void ReferenceChoice::list() {
     setCurrentIndex(again == references_.end() ? 0 : fixed_ + static_cast<int>(again - references_.begin()));
     if (had != hasFrames()) emit framesListed();
   }
-  if (before || current()) emit referenceChanged();
+  if (before || chosen()) emit referenceChanged();
 }
 
 bool ReferenceChoice::goesWith(workcell::EntityId entity) const {
   const workcell::DocumentState& state = host_.documentModel().document().state();
-  const auto chosen = current();
-  const workcell::Entity* frame = chosen ? state.find(chosen->entity) : nullptr;
+  const auto reference = chosen();
+  const workcell::Entity* frame = reference ? state.find(reference->entity) : nullptr;
   return frame && workcell::isCarriedBy(state, *frame, entity);
 }
 
 std::optional<Pose> ReferenceChoice::frame_W() const {
-  const auto chosen = current();
-  const workcell::Entity* entity = chosen ? host_.documentModel().document().find(chosen->entity) : nullptr;
+  const auto reference = chosen();
+  return reference ? frame_W(*reference) : std::nullopt;
+}
+
+std::optional<Pose> ReferenceChoice::frame_W(const Reference& reference) const {
+  const workcell::Entity* entity = host_.documentModel().document().find(reference.entity);
   if (!entity) return std::nullopt;
   const Pose X_WE = host_.viewport().scene().placement_W(*entity);
+  if (reference.frame.empty()) return X_WE;
   for (const workcell::Frame& frame : entity->frames)
-    if (frame.name == chosen->frame) return X_WE * frame.X_EF;
-  return X_WE;
+    if (frame.name == reference.frame) return X_WE * frame.X_EF;
+  return std::nullopt;
 }
 
 }  // namespace hapticell::app

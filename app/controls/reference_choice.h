@@ -37,8 +37,12 @@ class ReferenceChoice : public QComboBox {
   bool hasFrames() const { return !references_.empty(); }
   /// Index of the fixed entry; -1 if a frame is chosen, or if there is nothing to choose.
   int fixedEntry() const;
+  /// The chosen frame; empty for a fixed entry.
+  std::optional<Reference> chosen() const;
   /// The present pose of the chosen frame; empty for a fixed entry.
   std::optional<Pose> frame_W() const;
+  /// The present pose of any frame; empty if the cell no longer has it.
+  std::optional<Pose> frame_W(const Reference& reference) const;
   /// True if the chosen frame moves with `entity`.
   bool goesWith(workcell::EntityId entity) const;
 
@@ -50,7 +54,6 @@ class ReferenceChoice : public QComboBox {
 
  private:
   void list();
-  std::optional<Reference> current() const;
   Host& host_;
   int fixed_ = 0;
   workcell::EntityId without_ = 0;

@@ -53,7 +53,7 @@ Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& re
 Expected<PathAnswer> planPath(PathRequest& request) {
   request.problem.scene = request.scenes->prepare(std::move(request.source));
   const auto space = planning::FreeSpace::create(request.problem.scene, request.problem.entity, request.configuration,
-                                                 request.problem.placements);
+                                                 request.problem.placements, request.problem.hand);
   HAPTICELL_TRY(space);
   auto result = planning::plan(request.problem, *space);
   HAPTICELL_TRY(result);

@@ -17,6 +17,8 @@
 #include "app/kit/form.h"
 #include "app/style/value_field.h"
 #include "kinematics/model/robot_model.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 
@@ -26,6 +28,16 @@ namespace {
 double unitOfVariable(const workcell::Entity& robot, std::size_t variable) {
   const kinematics::RobotModel& model = *robot.robot();
   return unitOf(model.joints[static_cast<std::size_t>(model.moving[variable])]);
+}
+
+/// The frame that a plan moves: the tool, the entity's own, or the grip of a mannequin's hand.
+Pose movedPose_W(const workcell::Entity& entity, mannequin::Side hand) {
+  if (entity.figure()) {
+    const auto posture = mannequin::toPosture(*entity.figure(), {entity.X_WE, entity.joints()});
+    const Pose X_WH = mannequin::handPose(mannequin::forwardKinematics(*entity.figure(), posture), hand);
+    return {X_WH * entity.figure()->p_HandGrip[static_cast<std::size_t>(hand)], X_WH.q};
+  }
+  return entity.robot() ? tcpPose_W(entity, entity.X_WE, entity.joints()) : entity.X_WE;
 }
 
 }  // namespace
@@ -75,6 +87,13 @@ void PlanGoalForm::offer(const std::vector<Kind>& kinds) {
 }
 
 void PlanGoalForm::offerFor(const workcell::Entity& entity) {
+  if (entity.figure()) {
+    if (kind_->count() != 2) {
+      offer({kPose, kFrame});
+      showKind();
+    }
+    return;
+  }
   const bool by_joints = entity.robot() != nullptr;
   const Kind own = by_joints ? kJoints : kOut;
   if (kind_->count() == 3 && kind_->findData(static_cast<int>(own)) >= 0) return;
@@ -90,14 +109,23 @@ void PlanGoalForm::showKind() {
   take_->setVisible(kind == kPose || kind == kJoints);
 }
 
-void PlanGoalForm::take(const workcell::Entity& entity) {
-  const auto numbers = poseNumbers(entity.robot() ? tcpPose_W(entity, entity.X_WE, entity.joints()) : entity.X_WE);
-  for (std::size_t i = 0; i < pose_.size(); ++i) pose_[i]->setValue(numbers[i]);
-  if (!entity.robot()) return;
+void PlanGoalForm::take(const workcell::Entity& entity, mannequin::Side hand) {
+  const auto numbers = poseNumbers(movedPose_W(entity, hand));
+  for (std::size_t i = 0; i < pose_.size(); ++i) {
+    pose_[i]->setValue(numbers[i]);
+    taken_[i] = pose_[i]->value();
+  }
+  if (!entity.robot() || entity.figure()) return;
   QStringList words;
   for (std::size_t i = 0; i < entity.joints().size(); ++i)
     words << QString::number(entity.joints()[i] / unitOfVariable(entity, i), 'f', 3);
   joints_->setText(words.join("; "));
+}
+
+bool PlanGoalForm::isAsTaken() const {
+  for (std::size_t i = 0; i < pose_.size(); ++i)
+    if (pose_[i]->value() != taken_[i]) return false;
+  return true;
 }
 
 Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity) const {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/planning/plan_panel.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <initializer_list>
+#include <utility>
 
-#include "app/controls/reference_choice.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -15,6 +16,7 @@
 #include "app/host/selection.h"
 #include "app/kit/form.h"
 #include "app/planning/plan_goal_form.h"
+#include "app/planning/through_list.h"
 #include "app/style/library_text.h"
 #include "app/style/value_field.h"
 
@@ -33,6 +35,7 @@ PlanPanel::PlanPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host)
     id_ = 0;
     last_.clear();
     blocker_.clear();
+    through_->clear();
     refresh();
   });
   connect(&planner_, &PathPlanner::progressed, this, &PlanPanel::refresh);
@@ -52,14 +55,21 @@ void PlanPanel::addSettings(QVBoxLayout& column) {
   name_->setObjectName("labelPlanEntity");
   name_->setWordWrap(true);
   rows->addWidget(name_);
+  hand_ = new QComboBox;
+  hand_->setObjectName("choicePlanHand");
+  hand_->addItems({tr("Right hand"), tr("Left hand")});
+  hand_row_ = addRow(*rows, tr("Moves"), hand_);
   goal_ = new PlanGoalForm(host_);
   rows->addWidget(goal_);
   connect(goal_, &PlanGoalForm::takeWanted, this, [this] {
-    if (const auto* one = entity()) goal_->take(*one);
+    if (const auto* one = entity()) goal_->take(*one, hand());
   });
-  through_ = new ReferenceChoice(host_, {tr("Nothing")});
-  through_->setObjectName("choicePlanThrough");
-  addRow(*rows, tr("Through"), through_);
+  connect(hand_, &QComboBox::currentIndexChanged, this, [this] {
+    const auto* one = entity();
+    if (one && one->figure() && goal_->isAsTaken()) goal_->take(*one, hand());
+  });
+  through_ = new ThroughList(host_);
+  rows->addWidget(through_);
   const auto field = [&](const char* name, const QString& words, const ValueField::Format& format, double value) {
     auto* made = new ValueField(format);
     made->setObjectName(QString::fromLatin1(name));
@@ -102,6 +112,10 @@ const workcell::Entity* PlanPanel::entity() const {
   return id_ ? host_.documentModel().document().find(id_) : nullptr;
 }
 
+mannequin::Side PlanPanel::hand() const {
+  return hand_->currentIndex() == 0 ? mannequin::Side::kRight : mannequin::Side::kLeft;
+}
+
 void PlanPanel::follow() {
   const workcell::EntityId chosen = host_.selection().current();
   const auto* found = chosen ? host_.documentModel().document().find(chosen) : nullptr;
@@ -111,7 +125,7 @@ void PlanPanel::follow() {
     id_ = chosen;
     last_.clear();
     blocker_.clear();
-    goal_->take(*found);
+    goal_->take(*found, hand());
   }
   refresh();
 }
@@ -129,6 +143,11 @@ void PlanPanel::plan() {
     last_ = tr("A recording runs. Stop it first, then plan.");
     return refresh();
   }
+  auto through = through_->poses();
+  if (!through) {
+    last_ = shownText(through.error());
+    return refresh();
+  }
   last_.clear();
   number_ = host_.documentModel().number();
   PathRequest request;
@@ -137,13 +156,14 @@ void PlanPanel::plan() {
   request.source =
       manipulation::sourceOf(host_.documentModel().document(), manipulation::pairDefaults(host_.configuration()));
   request.problem.entity = id_;
+  if (one->figure()) request.problem.hand = hand();
   request.problem.goal = *goal;
   request.problem.clearance = 0.001 * clearance_->value();
   planned_seed_ = static_cast<std::uint64_t>(seed_->value());
   request.problem.seed = planned_seed_;
   request.problem.time_limit_s = time_->value();
   request.problem.leaves_contact = true;
-  if (const auto X_WT = through_->frame_W()) request.problem.through.push_back(*X_WT);
+  request.problem.through = std::move(*through);
   planner_.start(std::move(request));
 }
 
@@ -188,10 +208,12 @@ void PlanPanel::showFailure(const planning::Failure& failure) {
 void PlanPanel::refresh() {
   const workcell::Entity* one = entity();
   const bool busy = planner_.isBusy();
-  name_->setText(one ? QString::fromStdString(one->name) : tr("Select a robot or a solid that shall move."));
+  name_->setText(one ? QString::fromStdString(one->name) : tr("Select a robot, a mannequin or a solid that shall move."));
   plan_->setEnabled(one && !busy);
   stop_->setEnabled(busy);
   goal_->setEnabled(one && !busy);
+  hand_row_->setVisible(one && one->figure());
+  hand_->setEnabled(!busy);
   if (one) goal_->offerFor(*one);
   for (QWidget* setting : std::initializer_list<QWidget*>{through_, clearance_, seed_, time_}) {
     setting->setEnabled(!busy);

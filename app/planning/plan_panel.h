@@ -7,6 +7,7 @@
 #include "app/planning/path_planner.h"
 #include "workcell/entity/entity.h"
 
+class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -16,11 +17,11 @@ namespace hapticell::app {
 class Host;
 class LiveLabel;
 class PlanGoalForm;
-class ReferenceChoice;
+class ThroughList;
 class ValueField;
 
-/// Plans a path for the selected robot or solid and adds it to the motions of the document, as a recording is. Shows
-/// its figures, or why no path was found. GUI thread.
+/// Plans a path for the selected robot or solid, or for a hand of the selected mannequin, and adds it to the motions of
+/// the document, as a recording is. Shows its figures, or why no path was found. GUI thread.
 class PlanPanel : public QWidget {
   Q_OBJECT
  public:
@@ -30,6 +31,7 @@ class PlanPanel : public QWidget {
   void addSettings(class QVBoxLayout& column);
   void addRun(class QVBoxLayout& column);
   const workcell::Entity* entity() const;
+  mannequin::Side hand() const;
   void follow();
   void plan();
   void take(const PathAnswer& answer);
@@ -45,7 +47,9 @@ class PlanPanel : public QWidget {
   std::string blocker_;             ///< Name of the entity that blocks; empty: none.
   QLabel* name_;
   PlanGoalForm* goal_;
-  ReferenceChoice* through_;
+  QComboBox* hand_;
+  QWidget* hand_row_;
+  ThroughList* through_;
   ValueField *clearance_, *seed_, *time_;
   QPushButton *plan_, *stop_, *show_blocker_;
   QProgressBar* bar_;

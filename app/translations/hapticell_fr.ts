@@ -4627,6 +4627,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fait : %1</translation>
     </message>
     <message>
+        <source>Down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
         <source>Drag the %1 of %2</source>
         <translation>Tirer %1 de %2</translation>
     </message>
@@ -5449,6 +5453,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Frames that are targets</source>
         <translation>Repères qui sont des cibles</translation>
+    </message>
+    <message>
+        <source>Frames that the path passes, in this order</source>
+        <translation>Repères par lesquels passe le chemin, dans cet ordre</translation>
     </message>
     <message>
         <source>Frames within this time follow when you move a frame</source>
@@ -9735,8 +9743,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sélectionnez une pièce dans la scène, puis appuyez sur Utiliser la sélection.</translation>
     </message>
     <message>
-        <source>Select a robot or a solid that shall move.</source>
-        <translation>Sélectionnez un robot ou un solide à déplacer.</translation>
+        <source>Select a robot, a mannequin or a solid that shall move.</source>
+        <translation>Sélectionnez un robot, un mannequin ou un solide à déplacer.</translation>
     </message>
     <message>
         <source>Select a robot, a mannequin or a solid, and let it be moved.</source>
@@ -11807,6 +11815,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifications non enregistrées, gardées jusqu’au %1.</translation>
     </message>
     <message>
+        <source>Up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
         <source>Up axis</source>
         <translation>Axe vers le haut</translation>
     </message>
@@ -12899,6 +12911,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre plus grand</translation>
     </message>
     <message>
+        <source>a hand, which it does not have</source>
+        <translation>une main, qu'il n'a pas</translation>
+    </message>
+    <message>
         <source>a haptic server</source>
         <translation>un serveur haptique</translation>
     </message>
@@ -13189,6 +13205,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a mannequin's whole posture (moved: whole)</source>
         <translation>la posture entière d'un mannequin (moved: whole)</translation>
+    </message>
+    <message>
+        <source>a mannequin, but not which of its hands is to move</source>
+        <translation>un mannequin, mais pas laquelle de ses mains doit bouger</translation>
     </message>
     <message>
         <source>a margin that is not valid</source>
@@ -13523,6 +13543,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pose de '%1'</translation>
     </message>
     <message>
+        <source>a pose of the mannequin's hand</source>
+        <translation>une pose de la main du mannequin</translation>
+    </message>
+    <message>
         <source>a pose or joints, because it is fixed by its base</source>
         <translation>une pose ou des articulations, car l’entité est fixée par sa base</translation>
     </message>
@@ -13541,6 +13565,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a pose, because it has no joints</source>
         <translation>une pose, car l’entité n’a pas d’articulations</translation>
+    </message>
+    <message>
+        <source>a pose, because the mannequin's feet stay</source>
+        <translation>une pose, car les pieds du mannequin restent en place</translation>
     </message>
     <message>
         <source>a position %1 from the centre of the workspace</source>
@@ -13743,8 +13771,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot, un mannequin ou un solide de la cellule</translation>
     </message>
     <message>
-        <source>a robot, a mechanism or a solid with a shape</source>
-        <translation>un robot, un mécanisme ou un solide avec une forme</translation>
+        <source>a robot, a mechanism, a mannequin or a solid with a shape</source>
+        <translation>un robot, un mécanisme, un mannequin ou un solide avec une forme</translation>
     </message>
     <message>
         <source>a robot, which can have a tool</source>
@@ -15839,6 +15867,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des points espacés d’au moins une nanoseconde</translation>
     </message>
     <message>
+        <source>frames of the cell; remove it from the list</source>
+        <translation>des repères de la cellule ; retirez-le de la liste</translation>
+    </message>
+    <message>
         <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
     </message>
@@ -16323,6 +16355,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ses états articulaires</translation>
     </message>
     <message>
+        <source>its left or right hand</source>
+        <translation>sa main gauche ou droite</translation>
+    </message>
+    <message>
         <source>its link '%1' is not in the model</source>
         <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
     </message>
@@ -16517,6 +16553,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>left elbow</source>
         <translation>coude gauche</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>main gauche</translation>
     </message>
     <message>
         <source>left hip</source>
@@ -18075,6 +18115,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>trajectoire</translation>
     </message>
     <message>
+        <source>pelvis and legs stay, because the mannequin does not stand on its feet</source>
+        <translation>le bassin et les jambes restent en place, car le mannequin ne se tient pas sur ses pieds</translation>
+    </message>
+    <message>
         <source>percentile</source>
         <translation>percentile</translation>
     </message>
@@ -18129,6 +18173,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>points without faces</source>
         <translation>des points sans faces</translation>
+    </message>
+    <message>
+        <source>pose %1 on the way, %2</source>
+        <translation>pose %1 en chemin, %2</translation>
     </message>
     <message>
         <source>poses</source>
@@ -18333,6 +18381,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>right elbow</source>
         <translation>coude droit</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>main droite</translation>
     </message>
     <message>
         <source>right hip</source>
@@ -19319,6 +19371,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le format &quot;%1&quot;</translation>
     </message>
     <message>
+        <source>the frame '%1' no longer exists</source>
+        <translation>le repère « %1 » n'existe plus</translation>
+    </message>
+    <message>
         <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; %1 Hz is used</source>
         <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; %1 Hz est utilisé</translation>
     </message>
@@ -19337,6 +19393,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the goal is out of reach of %1</source>
         <translation>le but est hors de portée de %1</translation>
+    </message>
+    <message>
+        <source>the goal is out of reach of the %1 of %2 without a step</source>
+        <translation>la %1 de %2 n'atteint pas le but sans faire un pas</translation>
+    </message>
+    <message>
+        <source>the goal is out of reach of the %1 of %2 without a step; %3 are missing</source>
+        <translation>la %1 de %2 n'atteint pas le but sans faire un pas ; il manque %3</translation>
     </message>
     <message>
         <source>the goal of '%1'</source>
@@ -20217,6 +20281,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>three points of a circle in order</source>
         <translation>trois points d'un cercle</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>passage par</translation>
     </message>
     <message>
         <source>tick %1</source>

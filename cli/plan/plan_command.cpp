@@ -27,7 +27,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct PlanOptions {
-  std::string workcell, entity, to, to_frame, to_joints, through, output;
+  std::string workcell, entity, hand, to, to_frame, to_joints, through, output;
   std::vector<std::string> through_frames;
   bool out = false;
   double clearance = 0.005, time = 10.0;
@@ -139,6 +139,7 @@ Expected<planning::Problem> problemOf(const PlanOptions& options) {
                       .expected = Text("one of %1", known)});
   }
   problem.entity = entity->id;
+  if (!options.hand.empty()) problem.hand = options.hand == "left" ? mannequin::Side::kLeft : mannequin::Side::kRight;
   problem.scene = manipulation::SceneService().prepare(manipulation::sourceOf(*document, {}));
   auto goal = goalOf(options, problem);
   HAPTICELL_TRY(goal);
@@ -230,7 +231,7 @@ ExitStatus run(const PlanOptions& options, const ResultWriter& writer) {
   };
   const auto problem = problemOf(options);
   if (!problem) return fails(problem.error());
-  const auto space = planning::FreeSpace::create(problem->scene, problem->entity, {});
+  const auto space = planning::FreeSpace::create(problem->scene, problem->entity, {}, {}, problem->hand);
   if (!space) return fails(space.error());
   const auto result = planning::plan(*problem, *space);
   if (!result) return fails(result.error());
@@ -247,12 +248,14 @@ ExitStatus run(const PlanOptions& options, const ResultWriter& writer) {
 }  // namespace
 
 void addPlanCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("plan", "Plan a collision-free motion of a robot or a solid in a cell");
+  Subcommand command = app.add("plan", "Plan a collision-free motion of a robot, a solid or a mannequin's hand in a cell");
   const auto options = std::make_shared<PlanOptions>();
   command.option("--workcell", options->workcell, "Cell (.hcell)").takes(ValueKind::kWorkcell).required();
-  command.option("--entity", options->entity, "Robot, mechanism or solid that moves").required();
+  command.option("--entity", options->entity, "Robot, mechanism, mannequin or solid that moves").required();
+  command.option("--hand", options->hand, "Hand of a mannequin that moves to the goal; its feet stay")
+      .among({"left", "right"});
   command.option("--to", options->to,
-                 "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, or of a solid's frame, in the cell");
+                 "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, of a solid's frame, or of the grip of the hand");
   command.option("--to-frame", options->to_frame, "Goal: this frame of the cell or of an entity, by its name");
   command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
   command.flag("--out", options->out, "Goal: the solid out of the box around everything else");

@@ -15,7 +15,6 @@ FOLDERS = (*SOURCES, "bench", "examples", "tools")
 LONGER = {
     "collision/pieces/separating_directions.cpp": 402,
     "collision/surfaces/surface_fit.cpp": 401,
-    "planning/free_space.cpp": 479,
     "app/agents/agents_panel.cpp": 418,
     "app/ergonomics/workplace_panel.cpp": 439,
     "app/studies/section_form.cpp": 427,

@@ -38,7 +38,7 @@ ALLOWED = {
     "importer": {"config", "geometry", "workcell"},
     "manipulation": ENGINES | {"workcell", "haptic"},
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
-    "planning": ENGINES - {"mannequin"} | {"workcell", "manipulation"},
+    "planning": ENGINES | {"workcell", "manipulation"},
     "studies": ENGINES | {"workcell", "manipulation", "planning"},
     "bridge": {"*"},
     "access": ENGINES | {"workcell", "manipulation", "planning"},

@@ -13,6 +13,8 @@ import tempfile
 CLI = str(pathlib.Path(sys.argv[1]).resolve())
 NAMES = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"]
 START = [0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
+CELLS = pathlib.Path(__file__).resolve().parents[2] / "config" / "workcells"
+HAND_GOAL = "0.25,-0.25,1.2,0.5,0.5,-0.5,0.5"  # Of the grip of a right hand, above the bench.
 GOAL = [-0.6, -1.2, 1.2, -1.5, -1.5, 0.0]
 
 
@@ -63,6 +65,24 @@ def test_a_plan_keeps_its_clearance_on_the_written_file(folder):
     assert motion["format"] == "hapticell-trajectory"
     info = json.loads(run("trajectory", "info", "path.htraj", folder=folder).stdout)
     assert abs(info["duration"] - answer["duration_s"]) < 1e-9, (info, answer)
+
+
+def test_a_hand_of_a_mannequin_reaches_over_a_bench(folder):
+    """The shipped workbench: the right hand goes from beside the body over the bench, round its edge."""
+    cell = CELLS / "workbench.hcell"
+    answer = plan("--workcell", cell, "--entity", "operator", "--hand", "right", "--to", HAND_GOAL, "--clearance", "0.003",
+                  "-o", "hand.htraj", folder=folder)
+    assert answer["solved"] and answer["clearance_min_m"] >= 0.003 - 1e-6, answer
+    measured = answer["measured"]
+    assert measured["feet"] <= 3e-4 and measured["balance"] >= -1e-6 and measured["pose"] <= 1e-3, measured
+    check = json.loads(run("trajectory", "check", "hand.htraj", "--workcell", cell, "--entity", "operator",
+                           "--fail-on-contact", folder=folder).stdout)
+    assert check["free"], check
+    run("plan", "--workcell", cell, "--entity", "operator", "--to", HAND_GOAL, "-o", "no.htraj", folder=folder, expect=2)
+    answer = plan("--workcell", cell, "--entity", "operator", "--hand", "left", "--to", "9,0,1,1,0,0,0", "-o", "no.htraj",
+                  folder=folder, expect=1)
+    assert answer["constraint"] == "reach" and "left hand of operator" in answer["reason"], answer
+    assert not (folder / "no.htraj").exists()
 
 
 def test_equal_seeds_give_equal_files(folder):

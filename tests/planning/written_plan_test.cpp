@@ -5,6 +5,7 @@
 
 #include "geometry/system/scratch_folder.h"
 #include "planning/timed_plan.h"
+#include "planning/written_poses.h"
 #include "tests/planning/planning_cells.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/text/file_content.h"
@@ -89,6 +90,67 @@ TEST(WrittenPlan, KeepsClearOfWhatTheRobotTouchesInTheCell) {
   const Promises promises = measured(made, made.motion);
   EXPECT_TRUE(promises.areKept()) << promises.missed("plan").message();
   EXPECT_LT(promises.list.front().measured, 0.05);
+}
+
+double valueOf(const Promises& promises, const std::string& name) {
+  for (const Promise& one : promises.list)
+    if (one.name == name) return one.measured;
+  ADD_FAILURE() << name;
+  return -1.0;
+}
+
+/// A straight way of a metre that is passed at its middle, and turned by 0.02 rad against that pose.
+TEST(WrittenPoses, MeasuresPlaceAndTurnBetweenFrames) {
+  trajectory::Trajectory motion;
+  motion.entity = "bar";
+  for (int i = 0; i < 4; ++i) {
+    trajectory::Trajectory::Frame frame;
+    frame.t = i;
+    frame.X_WT = Pose::translation({i / 3.0, 0.0, 0.0});
+    motion.addFrame(frame, {});
+  }
+  const auto scene = test::boxWithBar(0.3);
+  const auto poses = writtenPoses(motion, {}, *scene->find(1), {});
+  ASSERT_EQ(poses.size(), 4u);
+  Plan plan;
+  plan.X_WThrough = {Pose{{0.5, 0.0, 0.0}, glm::angleAxis(0.02, dvec3(0.0, 0.0, 1.0))}};
+  const auto turned = posePromises(motion, poses, plan);
+  ASSERT_EQ(turned.size(), 1u);
+  EXPECT_NEAR(turned.front().measured, 0.002, 1e-9);
+  EXPECT_FALSE(turned.front().isKept());
+  plan.X_WThrough = {Pose::translation({0.5, 5e-4, 0.0})};
+  plan.X_WGoal = Pose::translation({1.0, 0.0, 0.0});
+  const auto passed = posePromises(motion, poses, plan);
+  ASSERT_EQ(passed.size(), 2u);
+  EXPECT_NEAR(passed.front().measured, 5e-4, 1e-9);
+  EXPECT_TRUE(passed.front().isKept() && passed.back().isKept());
+}
+
+/// Poses that are passed in their order are found on the file; in another order, or beside the way, they are missed.
+TEST(WrittenPlan, PassesItsPosesInTheirOrder) {
+  Made made;
+  made.problem.scene = test::boxWithBar(0.3);
+  made.problem.entity = 1;
+  made.problem.goal = goal::ToPose{Pose::translation({0.5, 0.0, 0.1})};
+  made.problem.clearance = 0.02;
+  made.problem.through = {Pose::translation({0.0, 0.0, 0.6}),
+                          {{0.5, 0.0, 0.6}, glm::angleAxis(0.4, dvec3(0.0, 0.0, 1.0))}};
+  const auto space = FreeSpace::create(made.problem.scene, 1, {});
+  const auto result = plan(made.problem, *space);
+  ASSERT_TRUE(result && result->isSolved());
+  made.plan = *result->plan;
+  made.motion = *timedMotion(made.plan, *space);
+  const Promises promises = measured(made, made.motion);
+  EXPECT_TRUE(promises.areKept()) << promises.missed("plan").message();
+  EXPECT_LT(valueOf(promises, "through"), 1e-3);
+  EXPECT_LT(valueOf(promises, "pose"), 1e-5);
+  std::swap(made.plan.X_WThrough[0], made.plan.X_WThrough[1]);
+  EXPECT_GT(valueOf(measured(made, made.motion), "through"), 0.1);
+  std::swap(made.plan.X_WThrough[0], made.plan.X_WThrough[1]);
+  made.plan.X_WThrough[1].p.y += 3e-3;
+  EXPECT_NEAR(valueOf(measured(made, made.motion), "through"), 3e-3, 1e-3);
+  made.plan.X_WGoal->q = glm::angleAxis(0.1, dvec3(1.0, 0.0, 0.0));
+  EXPECT_NEAR(valueOf(measured(made, made.motion), "pose"), 0.01, 1e-4);
 }
 
 /// A bar that lies on a plate, flush or pressed in by `depth` (m), beside a wall.

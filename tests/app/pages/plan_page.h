@@ -14,12 +14,19 @@ class PlanPage : public RobotPage {
   static constexpr int kPlanPatience = 120000;  // ms; searches share the machine with other tests.
 
   void openDock() { trigger("actionPlanPath"); }
-  void chooseGoal(const QString& kind) {
-    auto* choice = find<QComboBox>("choicePlanGoal");
+  void chooseGoal(const QString& kind) { choose("choicePlanGoal", kind); }
+  /// As the user picks an entry.
+  void choose(const QString& list, const QString& entry) {
+    auto* choice = find<QComboBox>(list);
     if (choice == nullptr) return;
-    choice->setCurrentText(kind);
-    EXPECT_EQ(choice->currentText(), kind);
+    choice->setCurrentText(entry);
+    EXPECT_EQ(choice->currentText(), entry);
+    emit choice->activated(choice->currentIndex());
     settle();
+  }
+  double number(const QString& field) {
+    auto* found = find<ValueField>(field);
+    return found == nullptr ? 0.0 : found->value();
   }
   void typeJoints(const QString& joints) {
     auto* edit = find<QLineEdit>("editPlanJoints");

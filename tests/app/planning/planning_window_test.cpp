@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QListWidget>
 #include <memory>
 
 #include "geometry/shapes/shapes.h"
 #include "tests/app/pages/plan_page.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {
@@ -72,6 +74,88 @@ TEST(PlanDock, OffersTheGoalsThatTheChosenEntityMayHave) {
   ASSERT_NE(page.add(std::move(box)), 0u);
   EXPECT_LT(choice->findText("Joints"), 0);
   EXPECT_GE(choice->findText("Out of the cell"), 0);
+}
+
+workcell::Entity loaded(const std::string& what, const std::string& name, const Pose& X_WE) {
+  workcell::EntityLoader loader("/");
+  Diagnostics notes;
+  workcell::Entity entity = *loader.load(what, 0.0, notes);
+  entity.name = name;
+  entity.X_WE = X_WE;
+  return entity;
+}
+
+TEST(PlanDock, AMannequinIsAskedWhichHandMoves) {
+  PlanPage page;
+  page.openDock();
+  const auto* hand = page.find<QComboBox>("choicePlanHand");
+  ASSERT_NE(hand, nullptr);
+  ASSERT_NE(page.addRobot("kuka_kr16_2"), 0u);
+  EXPECT_FALSE(hand->isVisible());
+  ASSERT_NE(page.add(loaded("mannequin:male:50", "worker", Pose::translation({4.0, 0.0, 0.0}))), 0u);
+  EXPECT_TRUE(hand->isVisible());
+  const auto* choice = page.find<QComboBox>("choicePlanGoal");
+  EXPECT_LT(choice->findText("Joints"), 0);
+  EXPECT_LT(choice->findText("Out of the cell"), 0);
+  // The goal follows the chosen hand until it is edited.
+  const double right = page.number("fieldPlanY");
+  page.choose("choicePlanHand", "Left hand");
+  EXPECT_GT(page.number("fieldPlanY"), right + 100.0);
+  page.type("fieldPlanZ", "1100");
+  const double left = page.number("fieldPlanY");
+  page.choose("choicePlanHand", "Right hand");
+  EXPECT_NEAR(page.number("fieldPlanY"), left, 1e-9);
+  page.choose("choicePlanHand", "Left hand");
+  page.type("fieldPlanX", "4300");
+  const QString says = page.planned();
+  ASSERT_EQ(page.motions(), 1u) << says.toStdString();
+  const auto& motion = page.document().document().state().trajectories.front().motion;
+  EXPECT_EQ(motion->moved, "whole");
+  EXPECT_EQ(motion->entity, "worker");
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.motions(), 0u);
+}
+
+TEST(PlanDock, PathsPassTheFramesOfTheListInItsOrder) {
+  PlanPage page;
+  page.openDock();
+  const auto* list = page.find<QListWidget>("listPlanThrough");
+  ASSERT_NE(list, nullptr);
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonPlanThroughAdd")->isEnabled()) << "the cell has no frames";
+  ASSERT_NE(page.add(loaded("frame:", "near", Pose::translation({0.0, 0.0, 1.5}))), 0u);
+  ASSERT_NE(page.add(loaded("frame:", "far", Pose::translation({1.0, 0.0, 1.5}))), 0u);
+  workcell::Entity box;
+  box.name = "box";
+  box.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.1, 0.1, 0.1}))};
+  box.X_WE.p = {0.0, 0.0, 0.5};
+  ASSERT_NE(page.add(std::move(box)), 0u);
+  for (const char* frame : {"far", "near", "far"}) {
+    page.choose("choicePlanThrough", frame);
+    page.click("buttonPlanThroughAdd");
+  }
+  ASSERT_EQ(list->count(), 3);
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonPlanThroughDown")->isEnabled()) << "the last row is chosen";
+  page.click("buttonPlanThroughRemove");
+  page.click("buttonPlanThroughUp");
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_EQ(list->item(0)->text() + list->item(1)->text(), "nearfar");
+  page.type("fieldPlanX", "2000");
+  const QString says = page.planned();
+  ASSERT_EQ(page.motions(), 1u) << says.toStdString();
+  const auto& motion = *page.document().document().state().trajectories.front().motion;
+  std::size_t at[2] = {};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const dvec3 place(k == 0 ? 0.0 : 1.0, 0.0, 1.5);
+    for (std::size_t i = 0; i < motion.size(); ++i)
+      if (glm::length(motion[i].X_WT.p - place) < glm::length(motion[at[k]].X_WT.p - place)) at[k] = i;
+    EXPECT_LT(glm::length(motion[at[k]].X_WT.p - place), 5e-3);
+  }
+  EXPECT_LT(at[0], at[1]);
+  // A frame that is gone is told, and can be taken out of the list.
+  const auto far = page.document().document().findByName("far")->id;
+  ASSERT_TRUE(page.document().execute(workcell::RemoveEntity{far}));
+  EXPECT_TRUE(page.planned().contains("far"));
+  EXPECT_EQ(page.motions(), 1u);
 }
 
 }  // namespace
