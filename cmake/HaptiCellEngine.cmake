@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # hapticell::engine: every library of the folders geometry ... feel as one shared library, for the project's own programs and
-# for those of others (docs/library/index.md). Tests of these folders, the haptic server, the importer and the drivers link the
-# libraries themselves: the tests see what is not exported, and the others are small and stand alone.
+# for those of others (docs/library/index.md). The haptic server, the importer and the drivers link the libraries themselves:
+# they are small and stand alone.
 get_property(hapticell_engine_libraries GLOBAL PROPERTY HAPTICELL_ENGINE_LIBRARIES)
 
 set(hapticell_engine_objects ${hapticell_engine_libraries})
