@@ -16,6 +16,11 @@ HAPTICELL_INLINE float absolute(float x) {
   return x < 0.0f ? -x : x;
 }
 
+template <typename V>
+HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
 /// The gap perpendicular to a sweep: in that direction the sweep adds nothing.
 template <typename V>
 HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
@@ -64,8 +69,9 @@ HAPTICELL_INLINE V alongLine(const Vector<V>* axes, const V* halves, const Vecto
   return open * open;
 }
 
-/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it.
-template <bool kSwept, typename V>
+/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it. With kLine gaps are
+/// looked for along the query's line and between the middles too, which pays where the nearest are not at 0.
+template <bool kSwept, bool kLine, typename V>
 HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, const float* sweep,
                                     float* squared) {
   Vector<V> axes[3] = {loadVector<V>(node.u[0] + lane, kTreeWidth), loadVector<V>(node.v[0] + lane, kTreeWidth), {}};
@@ -79,7 +85,7 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
   const V doubt = kRoundingOfSums * size;
   const V halves[3] = {half.x, half.y, half.z};
   V reach_of_query[3] = {doubt, doubt, doubt}, by_query{}, by_child{};
-  V taken_along = doubt * (magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z));
+  [[maybe_unused]] V taken_along = doubt * sumOfMagnitudes(apart);
   for (int i = 0; i < 3; ++i) {
     const float* q = query.axis[i];
     V reach = doubt;
@@ -92,7 +98,7 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
     const V along = magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]);
     const V open = larger(along - query.half[i] - reach, V{});
     by_query += open * open;
-    taken_along += query.half[i] * along;
+    if constexpr (kLine) taken_along += query.half[i] * along;
   }
   for (int k = 0; k < 3; ++k) {
     if constexpr (kSwept)
@@ -100,41 +106,37 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
     const V along = magnitude(dot(apart, axes[k]));
     const V open = larger(along - halves[k] - reach_of_query[k], V{});
     by_child += open * open;
-    taken_along += halves[k] * along;
+    if constexpr (kLine) taken_along += halves[k] * along;
   }
   V bound = larger(by_query, by_child);
-  if constexpr (!kSwept) {
+  if constexpr (kLine) {
     const V square = dot(apart, apart), beyond = larger(square - taken_along, V{});
     bound = larger(bound, square > V{} ? beyond / square * beyond : V{});
-    if (query.line[0] != 0.0f || query.line[1] != 0.0f || query.line[2] != 0.0f)
-      bound = larger(bound, alongLine(axes, halves, apart, query, doubt));
+    bound = larger(bound, alongLine(axes, halves, apart, query, doubt));
   }
   if constexpr (kSwept) bound = larger(bound, besideSweep(axes, halves, apart, query, sweep, doubt));
   store(squared + lane, bound);
 }
 
-template <bool kSwept>
+template <bool kSwept, bool kLine>
 HAPTICELL_INLINE std::uint32_t boundsOfBoxes(const BoxNode& node, const QueryBox& query, const float* sweep,
                                              float limit_squared, float* squared) {
   constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
   for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
-    boxBoundsPart<kSwept, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
+    boxBoundsPart<kSwept, kLine, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
   }
   return bitsOf(Mask8(load<Float8>(squared) < all<Float8>(limit_squared)));
 }
 
 std::uint32_t boxBounds(const BoxNode& node, const QueryBox& query, float limit_squared, float* squared) {
-  return boundsOfBoxes<false>(node, query, nullptr, limit_squared, squared);
+  if (query.line[0] == 0.0f && query.line[1] == 0.0f && query.line[2] == 0.0f)
+    return boundsOfBoxes<false, false>(node, query, nullptr, limit_squared, squared);
+  return boundsOfBoxes<false, true>(node, query, nullptr, limit_squared, squared);
 }
 
 std::uint32_t sweptBoxBounds(const BoxNode& node, const QueryBox& query, const float* sweep, float limit_squared,
                              float* squared) {
-  return boundsOfBoxes<true>(node, query, sweep, limit_squared, squared);
-}
-
-template <typename V>
-HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
-  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+  return boundsOfBoxes<true, false>(node, query, sweep, limit_squared, squared);
 }
 
 /// Whether the other triangle is proven to be farther from a face's plane than the limit.
