@@ -25,7 +25,7 @@ struct Probe {
       query.center[i] = static_cast<float>(box.center[i] - double{node.origin[i]});
       query.half[i] = static_cast<float>(box.half[i]);
     }
-    proximityKernels().boxBounds(node, query, squared);
+    proximityKernels().boxBounds(node, query, 0.0f, squared);
   }
 };
 

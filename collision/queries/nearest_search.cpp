@@ -63,21 +63,25 @@ void NearestSearch::search() {
     list_->finish(kRounded * std::sqrt(static_cast<double>(prune_squared_)));
 }
 
-void NearestSearch::runListed(const StepPairs& list) {
+void NearestSearch::runListed(const TriangleIndices& warm, StepPairs& list) {
+  tryPair(warm);
   const double moved = list.movedSince(X_AB_);
-  TriangleIndices batch[kTreeWidth];
-  int count = 0;
+  double R[9];
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) R[3 * i + k] = R_AB_[k][i];
+  }
+  const double t[3] = {p_AB_.x, p_AB_.y, p_AB_.z};
   const std::span<const StepPairs::Pair> pairs = list.pairs();
-  for (std::size_t k = 0; k < pairs.size() && !done_; ++k) {
+  ExactPairs placed;
+  for (std::size_t k = 0; k < pairs.size() && !done_; k += kTreeWidth) {
     const double least = (1.0 - 1e-6) * static_cast<double>(pairs[k].least) - moved;  // It is a float.
-    const bool is_last = least > 0.0 && least * least >= best_.squared;
-    if (!is_last) batch[count++] = pairs[k].pair;
-    // The first one is probably the nearest, and a bound for the others.
-    if (count > 0 && (count == kTreeWidth || is_last || k == 0 || k + 1 == pairs.size())) {
-      tryExactly(batch, count);
-      count = 0;
-    }
-    if (is_last) return;
+    if (least > 0.0 && least * least >= best_.squared) return;
+    const int count = static_cast<int>(std::min<std::size_t>(kTreeWidth, pairs.size() - k));
+    proximityKernels().placePairs(list.corners(k / kTreeWidth, a_.mesh(), b_.mesh()), R, t, placed);
+    if (!mayImprove(placed, count)) continue;
+    TriangleIndices batch[kTreeWidth];
+    for (int lane = 0; lane < count; ++lane) batch[lane] = pairs[k + static_cast<std::size_t>(lane)].pair;
+    measure(placed, batch, count);
   }
 }
 
@@ -119,9 +123,22 @@ void NearestSearch::tryPair(const TriangleIndices& pair) {
   if (!improveTriangleDistance(cornersA(pair.a), cornersB(pair.b), best_)) return;
   pair_ = pair;
   found_ = true;
+  aim();
   const double distance = std::sqrt(best_.squared);
   done_ = distance <= demand_.enough;
   pruneFrom(distance);
+}
+
+void NearestSearch::aim() {
+  const dvec3 apart = best_.q - best_.p;
+  const double length = glm::length(apart);
+  if (length == 0.0) return;
+  const dvec3 line_a = apart / length, line_b = glm::transpose(R_AB_) * line_a;
+  for (int i = 0; i < 3; ++i) {
+    line_[i] = line_a[i];
+    line_a_[i] = static_cast<float>(line_a[i]);
+    line_b_[i] = static_cast<float>(line_b[i]);
+  }
 }
 
 void NearestSearch::leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
@@ -159,13 +176,13 @@ void NearestSearch::flush() {
   packed_ = 0;
   proximityKernels().packedDistances(pack_, count, distances_);
   if (list_ != nullptr) collect(count);
-  const auto mayImprove = [&](int lane) {
+  const auto isCandidate = [&](int lane) {
     return distances_.squared[lane] - distances_.doubt[lane] < static_cast<float>(best_.squared);
   };
   int nearest = 0;
   std::uint32_t lanes = 0;
   for (int lane = 0; lane < count; ++lane) {
-    if (mayImprove(lane)) lanes |= 1u << lane;
+    if (isCandidate(lane)) lanes |= 1u << lane;
     if (distances_.squared[lane] < distances_.squared[nearest]) nearest = lane;
   }
   if (lanes == 0) return;
@@ -174,7 +191,7 @@ void NearestSearch::flush() {
     if (done_) return;
     lanes &= ~(1u << nearest);
     for (int lane = 0; lane < count; ++lane) {
-      if (!mayImprove(lane)) lanes &= ~(1u << lane);
+      if (!isCandidate(lane)) lanes &= ~(1u << lane);
     }
   }
   if (lanes != 0) tryTies(lanes);
@@ -204,6 +221,18 @@ void NearestSearch::tryExactly(const TriangleIndices* tried, int count) {
       }
     }
   }
+  if (mayImprove(pairs, count)) measure(pairs, tried, count);
+}
+
+/// Pairs that the nearest points' line already keeps apart, as those do that share the nearest corner or edge, cannot.
+bool NearestSearch::mayImprove(const ExactPairs& pairs, int count) const {
+  double gaps[kTreeWidth];
+  proximityKernels().exactGaps(pairs, line_, gaps);
+  const double bound = std::sqrt(best_.squared) - (found_ ? kNegligible : 0.0);
+  return *std::min_element(gaps, gaps + count) < bound;
+}
+
+void NearestSearch::measure(const ExactPairs& pairs, const TriangleIndices* tried, int count) {
   double squared[kTreeWidth];
   proximityKernels().exactDistances(pairs, squared);
   const int nearest = static_cast<int>(std::min_element(squared, squared + count) - squared);

@@ -27,8 +27,9 @@ class NearestSearch {
  public:
   NearestSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const SearchDemand& demand);
 
-  /// Measures the listed pairs only: the answer is exact if it is not farther than the list reaches.
-  void runListed(const StepPairs& list);
+  /// Measures the pair `warm`, which is probably near, and the listed ones only: the answer is exact if it is not
+  /// farther than the list reaches.
+  void runListed(const TriangleIndices& warm, StepPairs& list);
   /// Searches the trees; where a list is given, lists what it passes close by.
   void run(StepPairs* list = nullptr);
   /// The same, but measures the pair `warm` first, which is probably near.
@@ -42,6 +43,7 @@ class NearestSearch {
 
   // For DualTraversal.
   float limitSquared() const { return prune_squared_; }
+  const float* line(bool in_a) const { return in_a ? line_a_ : line_b_; }
   bool isDone() const { return done_; }
   void leafPair(const TraversalBox& a, const TraversalBox& b, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
                 const LeafTransform& transform);
@@ -55,8 +57,11 @@ class NearestSearch {
   void begin(StepPairs* list);
   void search();
   void pruneFrom(double distance);
+  void aim();
   void tryTies(std::uint32_t lanes);
   void tryExactly(const TriangleIndices* tried, int count);
+  bool mayImprove(const ExactPairs& pairs, int count) const;
+  void measure(const ExactPairs& pairs, const TriangleIndices* tried, int count);
   void collect(int count);
   void stopCollecting();
 
@@ -70,6 +75,8 @@ class NearestSearch {
   SearchDemand demand_;
   NearestPair best_;
   TriangleIndices pair_;
+  double line_[3] = {};                    ///< From the nearest point of A to that of B, a unit vector, in A's frame;
+  float line_a_[3] = {}, line_b_[3] = {};  ///< the same, in each mesh's frame.
   bool found_ = false;
   bool done_ = false;
   float prune_squared_ = std::numeric_limits<float>::infinity();

@@ -53,13 +53,23 @@ bool pieceInside(const MeshCollider& inner, const MeshCollider& outer, const Pos
   if (!outer.shells().anyClosed()) return false;
   // Points up to which each for itself is compared with the box: as many as a box takes. Half or twice as well.
   constexpr std::size_t kFewPoints = 4;
-  if (inner.shells().points().size() > kFewPoints) {
+  const bool has_many = inner.shells().points().size() > kFewPoints;
+  // Where the points that may be inside are, in inner's frame: no point needs to be placed to be left out.
+  geometry::Bounds where;
+  if (has_many) {
     const geometry::Bounds& box = outer.shells().closedBounds();
     const geometry::Bounds inner_box = geometry::transformed(X_OuterInner, inner.bounds());
     if (glm::any(glm::greaterThan(inner_box.min, box.max)) || glm::any(glm::lessThan(inner_box.max, box.min)))
       return false;
+    where = geometry::transformed(X_OuterInner.inverse(), box);
+    // More than the rounding of such a box; half or twice are as well.
+    const double rounded = 1e-12 * (glm::length(where.size()) + glm::length(where.center()));
+    where.min -= rounded;
+    where.max += rounded;
   }
   for (const dvec3& point : inner.shells().points()) {
+    if (has_many && (glm::any(glm::lessThan(point, where.min)) || glm::any(glm::greaterThan(point, where.max))))
+      continue;
     if (!outer.contains(X_OuterInner * point)) continue;
     p_Inner = point;
     return true;
@@ -151,7 +161,7 @@ DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, cons
   if (limit < std::numeric_limits<double>::infinity()) demand.limit = std::max(limit, 2.0 * kTouchingDistance);
   NearestSearch search(*a_, *b_, X_AB, demand);
   const double reach = steps_.come(X_AB);
-  if (reach > 0.0) search.runListed(steps_);
+  if (reach > 0.0) search.runListed(last_, steps_);
   const bool is_known = demand.limit <= reach || (search.isFound() && search.best().squared <= reach * reach);
   if (reach <= 0.0 || !is_known) search.run(last_, &steps_);
   if (search.isFound()) last_ = search.pair();
@@ -200,7 +210,7 @@ bool ProximityQuery::within(const Pose& X_WA, const Pose& X_WB, double margin) {
   demand.limit = demand.enough * (1.0 + 1e-12);
   NearestSearch search(*a_, *b_, X_AB, demand);
   if (steps_.reachAt(X_AB) >= demand.limit)
-    search.runListed(steps_);
+    search.runListed(last_, steps_);
   else if (last_was_near_)
     search.run(last_);
   else

@@ -37,6 +37,8 @@ double StepPairs::begin() {
   }
   pairs_.clear();
   pairs_.reserve(2 * kMost);
+  corners_.clear();
+  corners_.reserve(kMost / kTreeWidth);
   return wanted;
 }
 
@@ -54,6 +56,23 @@ void StepPairs::finish(double radius) {
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.least < b.least; });
   X_AB_ = X_ABNow_;
   radius_ = radius;
+}
+
+const ExactPairs& StepPairs::corners(std::size_t batch, const geometry::TriangleMesh& a,
+                                     const geometry::TriangleMesh& b) {
+  while (corners_.size() <= batch) {
+    const std::size_t first = kTreeWidth * corners_.size();
+    ExactPairs& filled = corners_.emplace_back();
+    for (std::size_t lane = 0; lane < kTreeWidth; ++lane) {
+      const TriangleIndices& pair = pairs_[std::min(first + lane, pairs_.size() - 1)].pair;
+      const Corners of_a = a.corners(pair.a), of_b = b.corners(pair.b);
+      for (std::size_t k = 0; k < 9; ++k) {
+        filled.first[k][lane] = of_a[k / 3][static_cast<int>(k % 3)];
+        filled.second[k][lane] = of_b[k / 3][static_cast<int>(k % 3)];
+      }
+    }
+  }
+  return corners_[batch];
 }
 
 void StepPairs::giveUp() {

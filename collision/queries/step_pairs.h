@@ -7,6 +7,7 @@
 
 #include "collision/queries/motion_bound.h"
 #include "collision/queries/triangle_pairs.h"
+#include "collision/trees/proximity_kernels.h"
 
 namespace hapticell::collision {
 
@@ -36,6 +37,9 @@ class StepPairs {
   double movedSince(const Pose& X_AB) const { return motionBound(lever_, X_AB_, X_AB); }
   /// Smallest distances first.
   std::span<const Pair> pairs() const { return pairs_; }
+  /// Corners of the eight pairs from the `batch`-th eighth on, each in its own mesh's frame; lanes that are not used
+  /// repeat the last pair. They are gathered when they are first asked for, in order.
+  const ExactPairs& corners(std::size_t batch, const geometry::TriangleMesh& a, const geometry::TriangleMesh& b);
 
   /// Called when a search begins: how far (m) beyond the nearest pair it should collect; 0: collect nothing.
   double begin();
@@ -49,6 +53,7 @@ class StepPairs {
  private:
   MotionLever lever_;
   std::vector<Pair> pairs_;
+  std::vector<ExactPairs> corners_;
   Pose X_AB_;          ///< Of the list,
   Pose X_ABNow_;       ///< and of the last query;
   double step_ = 0.0;  ///< from the one before, m.

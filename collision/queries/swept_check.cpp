@@ -27,8 +27,8 @@ Corners placed(const dmat3& R, const dvec3& p, const Corners& c) {
 
 OrientedBox orientedBox(const TraversalBox& from) {
   OrientedBox box;
-  for (int i = 0; i < 3; ++i) box.R[i] = dvec3(from.own.axis[i][0], from.own.axis[i][1], from.own.axis[i][2]);
-  for (int i = 0; i < 3; ++i) box.half[i] = from.own.half[i];
+  for (int i = 0; i < 3; ++i) box.R[i] = dvec3(from.axis[i][0], from.axis[i][1], from.axis[i][2]);
+  for (int i = 0; i < 3; ++i) box.half[i] = from.half[i];
   box.center = from.center;
   return box;
 }

@@ -16,12 +16,12 @@ TraversalBox TraversalSide::box(BoxTree::Slot slot) const {
   TraversalBox box;
   box.slot = slot;
   box.child = node.child[lane];
-  float(&axis)[3][3] = box.own.axis;
+  float(&axis)[3][3] = box.axis;
   for (int i = 0; i < 3; ++i) {
     axis[0][i] = node.u[i][lane];
     axis[1][i] = node.v[i][lane];
-    box.own.half[i] = node.half[i][lane];
-    box.size += box.own.half[i] * box.own.half[i];
+    box.half[i] = node.half[i][lane];
+    box.size += box.half[i] * box.half[i];
     box.center[i] = double{node.origin[i]} + double{node.center[i][lane]};
   }
   for (int i = 0; i < 3; ++i) {
@@ -35,42 +35,19 @@ void TraversalSide::see(TraversalBox& box) const {
   if (box.is_seen) return;
   box.is_seen = true;
   for (int axis = 0; axis < 3; ++axis) {
-    const float* a = box.own.axis[axis];
+    const float* a = box.axis[axis];
     for (int i = 0; i < 3; ++i) {
       const float* row = R_rows + 3 * i;
-      box.seen_axis[axis][i] = row[0] * a[0] + row[1] * a[1] + row[2] * a[2];
+      box.seen.axis[axis][i] = row[0] * a[0] + row[1] * a[1] + row[2] * a[2];
     }
+    box.seen.half[axis] = box.half[axis];
   }
   box.seen_center = R * box.center + p;
 }
 
-namespace {
-
-QueryBox seenFrom(const float* origin, const TraversalBox& box) {
-  QueryBox query;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) query.axis[i][k] = box.seen_axis[i][k];
-    query.center[i] = static_cast<float>(box.seen_center[i] - double{origin[i]});
-    query.half[i] = box.own.half[i];
-  }
-  return query;
-}
-
-}  // namespace
-
-void TraversalSide::bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const {
-  const BoxNode& node = tree.node(opened.child);
-  proximityKernels().boxBounds(node, seenFrom(node.origin, other), squared);
-}
-
-void TraversalSide::sweptBounds(const TraversalBox& opened, const TraversalBox& other, const float* sweep,
-                                float* squared) const {
-  const BoxNode& node = tree.node(opened.child);
-  proximityKernels().sweptBoxBounds(node, seenFrom(node.origin, other), sweep, squared);
-}
-
-bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, float limit_squared) {
-  return proximityKernels().isLeafBeyond(leaf, seenFrom(leaf.origin, box), limit_squared);
+bool isBeyondTriangles(const LeafBlock& leaf, TraversalBox& box, float limit_squared) {
+  placeAt(box, leaf.origin);
+  return proximityKernels().isLeafBeyond(leaf, box.seen, limit_squared);
 }
 
 }  // namespace hapticell::collision

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+#include <limits>
+
 #include "collision/trees/box_tree.h"
 #include "geometry/shapes/pose.h"
 
@@ -10,12 +13,13 @@ namespace hapticell::collision {
 struct TraversalBox {
   BoxTree::Slot slot = BoxTree::kRoot;
   std::uint32_t child = 0;
-  float size = 0.0f;           ///< Square of the half diagonal: the larger of two boxes is opened.
-  QueryBox own;                ///< Axes and half sizes in its mesh's frame; its center is not used.
-  dvec3 center{0.0};           ///< In its mesh's frame.
-  bool is_seen = false;        ///< The following members are set:
-  float seen_axis[3][3] = {};  ///< in the other mesh's frame.
-  dvec3 seen_center{0.0};
+  float size = 0.0f;  ///< Square of the half diagonal: the larger of two boxes is opened.
+  float axis[3][3];   ///< In its mesh's frame,
+  float half[3];
+  dvec3 center{0.0};       ///< and in that.
+  bool is_seen = false;    ///< The following members are set:
+  QueryBox seen;           ///< in the other mesh's frame, relative to the node it was last compared with,
+  dvec3 seen_center{0.0};  ///< and in that frame.
 
   bool isLeaf() const { return BoxTree::isLeaf(child); }
 };
@@ -32,24 +36,26 @@ struct TraversalSide {
   TraversalBox box(BoxTree::Slot slot) const;
   /// Sets the members that are in the other mesh's frame.
   void see(TraversalBox& box) const;
-  /// Lower bounds of the distances between the other side's box and the children of a box of this side.
-  void bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const;
-  /// The same where the other box moves by any share from -1 to 1 of `sweep`, in this side's mesh's frame.
-  void sweptBounds(const TraversalBox& opened, const TraversalBox& other, const float* sweep, float* squared) const;
 };
+
+/// Moves what is seen of a box to the node's origin.
+inline void placeAt(TraversalBox& box, const float* origin) {
+  for (int i = 0; i < 3; ++i) box.seen.center[i] = static_cast<float>(box.seen_center[i] - double{origin[i]});
+}
 
 /// Whether a leaf much larger than the box is farther from it than the limit. It checks the leaf's triangles, because
 /// the leaf's box, if long and slanted, can be nearer than its triangles by more than the other box's size.
-bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, float limit_squared);
+bool isBeyondTriangles(const LeafBlock& leaf, TraversalBox& box, float limit_squared);
 
 /// Visits the pairs of boxes that are near each other, depth first and nearest first.
 ///
 /// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b, const
 /// LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
-/// TraversalBox& b), const float* sweep(bool in_a) and float reachSquared() where the meshes move against each other
-/// (see TraversalSide::sweptBounds(); nothing is nearer than the square root of reachSquared() in the middle of it that
-/// comes nearer than the limit), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of an
-/// opened box that were left out and the least of their bounds.
+/// TraversalBox& b), const float* line(bool in_a), a unit vector along which the nearest are probably apart (in A's or
+/// B's frame), const float* sweep(bool in_a) and float reachSquared() where the meshes move against each other
+/// (see ProximityKernels::sweptBoxBounds; nothing is nearer than the square root of reachSquared() in the middle of it
+/// that comes nearer than the limit), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of
+/// an opened box that were left out and the least of their bounds.
 template <typename Visitor>
 class DualTraversal {
  public:
@@ -94,6 +100,9 @@ class DualTraversal {
     const dvec3 t = b_.R * origin_b + b_.p - dvec3(leaf_a.origin[0], leaf_a.origin[1], leaf_a.origin[2]);
     for (int i = 0; i < 9; ++i) transform.R[i] = b_.R_rows[i];
     for (int i = 0; i < 3; ++i) transform.t[i] = static_cast<float>(t[i]);
+    if constexpr (requires { visitor_.line(true); }) {
+      for (int i = 0; i < 3; ++i) transform.line[i] = visitor_.line(true)[i];
+    }
     visitor_.leafPair(a, b, leaf_a, leaf_b, transform);
   }
 
@@ -119,17 +128,11 @@ class DualTraversal {
                unsigned lanes, bool opened_a) {
     const BoxNode& node = side.tree.node(opened.child);
     alignas(32) float bounds[kTreeWidth];
-    other_side.see(other);
-    if constexpr (requires { visitor_.sweep(opened_a); })
-      side.sweptBounds(opened, other, visitor_.sweep(opened_a), bounds);
-    else
-      side.bounds(opened, other, bounds);
+    lanes &= (1u << node.count) - 1u;
     int order[kTreeWidth];
     int near = 0, met = 0;
-    lanes &= (1u << node.count) - 1u;
-    const float limit = visitor_.limitSquared();
-    for (int lane = 0; lane < static_cast<int>(node.count); ++lane) {
-      if ((lanes >> lane & 1u) == 0 || bounds[lane] >= limit) continue;
+    for (unsigned left = lanes & nearLanes(node, other_side, other, opened_a, bounds); left != 0; left &= left - 1) {
+      const int lane = std::countr_zero(left);
       met += bounds[lane] == 0.0f ? 1 : 0;
       int at = near++;
       for (; at > 0 && bounds[order[at - 1]] > bounds[lane]; --at) order[at] = order[at - 1];
@@ -154,6 +157,23 @@ class DualTraversal {
         if ((left_out >> lane & 1u) != 0 && bounds[lane] < least) least = bounds[lane];
       }
       visitor_.culled(opened_a ? opened : other, opened_a ? other : opened, opened_a, left_out, least);
+    }
+  }
+
+  /// The children nearer to the box than the limit.
+  unsigned nearLanes(const BoxNode& node, const TraversalSide& other_side, TraversalBox& other, bool opened_a,
+                     float* bounds) {
+    other_side.see(other);
+    placeAt(other, node.origin);
+    const ProximityKernels& kernels = proximityKernels();
+    const float limit = visitor_.limitSquared();
+    if constexpr (requires { visitor_.sweep(opened_a); }) {
+      return kernels.sweptBoxBounds(node, other.seen, visitor_.sweep(opened_a), limit, bounds);
+    } else {
+      if constexpr (requires { visitor_.line(opened_a); }) {
+        for (int i = 0; i < 3; ++i) other.seen.line[i] = visitor_.line(opened_a)[i];
+      }
+      return kernels.boxBounds(node, other.seen, limit, bounds);
     }
   }
 

@@ -42,12 +42,14 @@ struct QueryBox {
   float axis[3][3];
   float center[3];
   float half[3];
+  float line[3] = {};  ///< A unit vector along which gaps are looked for too; 0: none.
 };
 
 /// Takes the second leaf's corners into the first leaf's frame: R c + t, with R row by row.
 struct LeafTransform {
   float R[9];
   float t[3];
+  float line[3] = {};  ///< In the first leaf's frame and towards the second: gaps along it are looked for too; 0: none.
 };
 
 /// Triangle pairs in parallel lanes, each in its own frame: coordinates first[3 * corner + axis][lane].
@@ -89,7 +91,8 @@ struct ProximityKernels {
   const char* name;
 
   /// Squares of lower bounds of the distances of a box to a node's eight children; never above the true square.
-  void (*boxBounds)(const BoxNode& node, const QueryBox& query, float* squared);
+  /// Returns those (bit by lane) that are below the limit.
+  std::uint32_t (*boxBounds)(const BoxNode& node, const QueryBox& query, float limit_squared, float* squared);
 
   /// Which of the 16 pairs of two leaves' triangles (bit 4 * lane of b + lane of a) may be nearer than
   /// sqrt(limit_squared): the plane of neither face keeps them that far apart. Sets `corners_b` to b's corners in a's
@@ -103,12 +106,21 @@ struct ProximityKernels {
   /// Squares of the distances of 8 pairs, to double's rounding.
   void (*exactDistances)(const ExactPairs& pairs, double* squared);
 
+  /// Gaps of 8 pairs along a unit vector, from the first towards the second, to double's rounding; negative where they
+  /// overlap. No pair is nearer than its gap.
+  void (*exactGaps)(const ExactPairs& pairs, const double* line, double* gaps);
+
+  /// Of 8 pairs whose second triangles are in a frame of their own, the same pairs in the first's: R c + t, with R row
+  /// by row.
+  void (*placePairs)(const ExactPairs& pairs, const double* R, const double* t, ExactPairs& placed);
+
   /// Which of the 16 boxes (bit by lane) overlap or touch the box.
   std::uint32_t (*nearBoxes)(const PartBoxes& boxes, const QueryBounds& query);
 
   /// boxBounds() and leafPairs() where the one moves against the other: by any share from -1 to 1 of `sweep` (in the
   /// node's frame, or the first leaf's). Lower bounds over all of these places.
-  void (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const float* sweep, float* squared);
+  std::uint32_t (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const float* sweep, float limit_squared,
+                                  float* squared);
   std::uint32_t (*sweptLeafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                                   float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]);
 

@@ -16,6 +16,11 @@ HAPTICELL_INLINE float absolute(float x) {
   return x < 0.0f ? -x : x;
 }
 
+template <typename V>
+HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
 /// The gap perpendicular to a sweep: in that direction the sweep adds nothing.
 template <typename V>
 HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
@@ -37,8 +42,36 @@ HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vec
   return length_squared > V{} ? open * open / length_squared : V{};
 }
 
-/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it.
-template <bool kSwept, typename V>
+using Mask8 = std::int32_t __attribute__((vector_size(32)));
+HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
+#ifdef __AVX__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(Float8(mask)));
+#else
+  std::uint32_t bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= (mask[i] != 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
+
+/// The gap along the query's line.
+template <typename V>
+HAPTICELL_INLINE V alongLine(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
+                             V doubt) {
+  const float* n = query.line;
+  float taken_by_query = 0.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float* q = query.axis[i];
+    taken_by_query += query.half[i] * absolute(q[0] * n[0] + q[1] * n[1] + q[2] * n[2]);
+  }
+  V taken = doubt + taken_by_query;
+  for (int k = 0; k < 3; ++k) taken += halves[k] * magnitude(axes[k].x * n[0] + axes[k].y * n[1] + axes[k].z * n[2]);
+  const V open = larger(magnitude(apart.x * n[0] + apart.y * n[1] + apart.z * n[2]) - taken, V{});
+  return open * open;
+}
+
+/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it. With kLine gaps are
+/// looked for along the query's line and between the middles too, which pays where the nearest are not at 0.
+template <bool kSwept, bool kLine, typename V>
 HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, const float* sweep,
                                     float* squared) {
   Vector<V> axes[3] = {loadVector<V>(node.u[0] + lane, kTreeWidth), loadVector<V>(node.v[0] + lane, kTreeWidth), {}};
@@ -52,6 +85,7 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
   const V doubt = kRoundingOfSums * size;
   const V halves[3] = {half.x, half.y, half.z};
   V reach_of_query[3] = {doubt, doubt, doubt}, by_query{}, by_child{};
+  [[maybe_unused]] V taken_along = doubt * sumOfMagnitudes(apart);
   for (int i = 0; i < 3; ++i) {
     const float* q = query.axis[i];
     V reach = doubt;
@@ -61,37 +95,48 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
       reach += halves[k] * cosine;
     }
     if constexpr (kSwept) reach += absolute(sweep[0] * q[0] + sweep[1] * q[1] + sweep[2] * q[2]);
-    const V open = larger(magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]) - query.half[i] - reach, V{});
+    const V along = magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]);
+    const V open = larger(along - query.half[i] - reach, V{});
     by_query += open * open;
+    if constexpr (kLine) taken_along += query.half[i] * along;
   }
   for (int k = 0; k < 3; ++k) {
     if constexpr (kSwept)
       reach_of_query[k] += magnitude(axes[k].x * sweep[0] + axes[k].y * sweep[1] + axes[k].z * sweep[2]);
-    const V open = larger(magnitude(dot(apart, axes[k])) - halves[k] - reach_of_query[k], V{});
+    const V along = magnitude(dot(apart, axes[k]));
+    const V open = larger(along - halves[k] - reach_of_query[k], V{});
     by_child += open * open;
+    if constexpr (kLine) taken_along += halves[k] * along;
   }
   V bound = larger(by_query, by_child);
+  if constexpr (kLine) {
+    const V square = dot(apart, apart), beyond = larger(square - taken_along, V{});
+    bound = larger(bound, square > V{} ? beyond / square * beyond : V{});
+    bound = larger(bound, alongLine(axes, halves, apart, query, doubt));
+  }
   if constexpr (kSwept) bound = larger(bound, besideSweep(axes, halves, apart, query, sweep, doubt));
   store(squared + lane, bound);
 }
 
-void boxBounds(const BoxNode& node, const QueryBox& query, float* squared) {
+template <bool kSwept, bool kLine>
+HAPTICELL_INLINE std::uint32_t boundsOfBoxes(const BoxNode& node, const QueryBox& query, const float* sweep,
+                                             float limit_squared, float* squared) {
   constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
   for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
-    boxBoundsPart<false, HAPTICELL_BOX_LANES>(node, lane, query, nullptr, squared);
+    boxBoundsPart<kSwept, kLine, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
   }
+  return bitsOf(Mask8(load<Float8>(squared) < all<Float8>(limit_squared)));
 }
 
-void sweptBoxBounds(const BoxNode& node, const QueryBox& query, const float* sweep, float* squared) {
-  constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
-  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
-    boxBoundsPart<true, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
-  }
+std::uint32_t boxBounds(const BoxNode& node, const QueryBox& query, float limit_squared, float* squared) {
+  if (query.line[0] == 0.0f && query.line[1] == 0.0f && query.line[2] == 0.0f)
+    return boundsOfBoxes<false, false>(node, query, nullptr, limit_squared, squared);
+  return boundsOfBoxes<false, true>(node, query, nullptr, limit_squared, squared);
 }
 
-template <typename V>
-HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
-  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+std::uint32_t sweptBoxBounds(const BoxNode& node, const QueryBox& query, const float* sweep, float limit_squared,
+                             float* squared) {
+  return boundsOfBoxes<true, false>(node, query, sweep, limit_squared, squared);
 }
 
 /// Whether the other triangle is proven to be farther from a face's plane than the limit.
@@ -136,17 +181,6 @@ HAPTICELL_INLINE auto isApartAlong(const Vector<V>& axis, const Vector<V>* first
   return (sure > V{}) & (sure * sure > limit_squared * dot(axis, axis));
 }
 
-using Mask8 = std::int32_t __attribute__((vector_size(32)));
-HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
-#ifdef __AVX__
-  return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(Float8(mask)));
-#else
-  std::uint32_t bits = 0;
-  for (unsigned i = 0; i < 8; ++i) bits |= (mask[i] != 0 ? 1u : 0u) << i;
-  return bits;
-#endif
-}
-
 HAPTICELL_INLINE Float8 twice(Float4 a) {
   return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3);
 }
@@ -176,6 +210,28 @@ HAPTICELL_INLINE std::uint32_t leafPairsOfTwo(const Vector<Float8>* first, const
   return ~bitsOf(apart) & 0xFFu;
 }
 
+/// Which of the 16 pairs are not apart along a unit vector that points from a to b.
+HAPTICELL_INLINE std::uint32_t nearAlong(const LeafBlock& a, const Float4 (*b)[3], const float* line,
+                                         float limit_squared) {
+  Float4 high = all<Float4>(-3e38f), low = all<Float4>(3e38f), reach_a{}, reach_b{};
+  for (int c = 0; c < 3; ++c) {
+    const Vector<Float4> p = loadVector<Float4>(a.corner[3 * c], kLeafSize), q{b[c][0], b[c][1], b[c][2]};
+    high = larger(high, p.x * line[0] + p.y * line[1] + p.z * line[2]);
+    low = smaller(low, q.x * line[0] + q.y * line[1] + q.z * line[2]);
+    reach_a = larger(reach_a, sumOfMagnitudes(p));
+    reach_b = larger(reach_b, sumOfMagnitudes(q));
+  }
+  high += kRoundingOfSums * reach_a;
+  low -= kRoundingOfSums * reach_b;
+  std::uint32_t near = 0;
+  for (int half = 0; half < 2; ++half) {
+    const Float8 gap = (half == 0 ? spread<0>(low) : spread<2>(low)) - twice(high);
+    const auto apart = (gap > Float8{}) & (gap * gap > all<Float8>(limit_squared));
+    near |= (~bitsOf(Mask8(apart)) & 0xFFu) << (8 * half);
+  }
+  return near;
+}
+
 template <bool kSwept>
 HAPTICELL_INLINE std::uint32_t pairsOfLeaves(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                                              float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]) {
@@ -191,11 +247,16 @@ HAPTICELL_INLINE std::uint32_t pairsOfLeaves(const LeafBlock& a, const LeafBlock
       store(corners_b[3 * c + i], second[c][i]);
     }
   }
-  const std::uint32_t used = b.count > 2 ? 0xFFFFu : 0xFFu;
-  std::uint32_t near = leafPairsOfTwo<kSwept, 0>(first, second, limit_squared, sweep);
-  if (b.count > 2) near |= leafPairsOfTwo<kSwept, 2>(first, second, limit_squared, sweep) << 8;
   const std::uint32_t lanes_a = (1u << a.count) - 1u, lanes_b = (1u << (4 * b.count)) - 1u;
-  return near & used & lanes_b & (lanes_a * 0x1111u);
+  std::uint32_t lanes = lanes_b & (lanes_a * 0x1111u);
+  if constexpr (!kSwept) {
+    lanes &= nearAlong(a, second, transform.line, limit_squared);
+    if (lanes == 0) return 0;
+  }
+  std::uint32_t near = 0;
+  if ((lanes & 0xFFu) != 0) near = leafPairsOfTwo<kSwept, 0>(first, second, limit_squared, sweep);
+  if (lanes > 0xFFu) near |= leafPairsOfTwo<kSwept, 2>(first, second, limit_squared, sweep) << 8;
+  return near & lanes;
 }
 
 std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform, float limit_squared,
@@ -271,6 +332,39 @@ void exactDistances(const ExactPairs& pairs, double* squared) {
 }
 
 template <typename V>
+HAPTICELL_INLINE V heightsAlong(const double (*corner)[kTreeWidth], int lane, const double* line) {
+  const Vector<V> p = loadVector<V>(&corner[0][lane], kTreeWidth);
+  return p.x * line[0] + p.y * line[1] + p.z * line[2];
+}
+
+void exactGaps(const ExactPairs& pairs, const double* line, double* gaps) {
+  using V = HAPTICELL_EXACT_LANES;
+  constexpr int kLanes = sizeof(V) / sizeof(double);
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    V high = heightsAlong<V>(pairs.first, lane, line), low = heightsAlong<V>(pairs.second, lane, line);
+    for (int c = 1; c < 3; ++c) {
+      high = larger(high, heightsAlong<V>(pairs.first + 3 * c, lane, line));
+      low = smaller(low, heightsAlong<V>(pairs.second + 3 * c, lane, line));
+    }
+    store(gaps + lane, low - high);
+  }
+}
+
+void placePairs(const ExactPairs& pairs, const double* R, const double* t, ExactPairs& placed) {
+  using V = HAPTICELL_EXACT_LANES;
+  constexpr int kLanes = sizeof(V) / sizeof(double);
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    for (int c = 0; c < 3; ++c) {
+      const Vector<V> p = loadVector<V>(&pairs.second[3 * c][lane], kTreeWidth);
+      for (int i = 0; i < 3; ++i) {
+        store(&placed.first[3 * c + i][lane], load<V>(&pairs.first[3 * c + i][lane]));
+        store(&placed.second[3 * c + i][lane], p.x * R[3 * i] + p.y * R[3 * i + 1] + p.z * R[3 * i + 2] + t[i]);
+      }
+    }
+  }
+}
+
+template <typename V>
 HAPTICELL_INLINE auto overlapping(const PartBoxes& boxes, int lane, const QueryBounds& query) {
   auto near = load<V>(boxes.min[0] + lane) <= all<V>(query.max[0]);
   near &= load<V>(boxes.max[0] + lane) >= all<V>(query.min[0]);
@@ -288,8 +382,8 @@ std::uint32_t nearBoxes(const PartBoxes& boxes, const QueryBounds& query) {
 }  // namespace
 
 extern const ProximityKernels HAPTICELL_KERNELS;
-const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds,      leafPairs,
-                                         packedDistances,        exactDistances, nearBoxes,
+const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds,      leafPairs,   packedDistances,
+                                         exactDistances,         exactGaps,      placePairs,  nearBoxes,
                                          sweptBoxBounds,         sweptLeafPairs, isLeafBeyond};
 
 }  // namespace hapticell::collision

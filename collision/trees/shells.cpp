@@ -70,6 +70,9 @@ std::vector<Edge> sortedEdges(const std::vector<geometry::Triangle>& joined, con
 
 /// Crossings of one ray with the closed pieces.
 struct Crossings {
+  Crossings(const Shells& of, const BoxTree& its_tree, const geometry::TriangleMesh& its_mesh, const Ray& along)
+      : shells(of), tree(its_tree), mesh(its_mesh), ray(along) {}
+
   const Shells& shells;
   const BoxTree& tree;
   const geometry::TriangleMesh& mesh;
@@ -78,16 +81,37 @@ struct Crossings {
   bool odd = false;
   bool grazed = false;
 
-  void visit(BoxTree::Slot slot) {
-    double entry = 0.0;
-    if (grazed || !meetsBox(ray, tree.box(slot), std::numeric_limits<double>::infinity(), entry)) return;
-    const std::uint32_t child = tree.child(slot);
+  /// Follows the ray to where it is out of the closed pieces. As a box without width it is compared with eight boxes at
+  /// once: where their bound is above 0 it surely passes them by.
+  void run() {
+    const geometry::Bounds& box = shells.closedBounds();
+    const dvec3 along = glm::normalize(ray.direction);
+    const double half = 0.5 * glm::length(box.size());
+    middle_ = ray.origin + half * along;
+    const dvec3 across = glm::normalize(glm::cross(along, std::abs(along.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+    const dvec3 axes[3] = {along, across, glm::cross(along, across)};
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) query_.axis[i][k] = static_cast<float>(axes[i][k]);
+    }
+    query_.half[0] = static_cast<float>(half);
+    query_.half[1] = query_.half[2] = 0.0F;
+    visit(tree.child(BoxTree::kRoot));
+  }
+
+  void visit(std::uint32_t child) {
+    if (grazed) return;
     if (BoxTree::isLeaf(child)) {
       const LeafBlock& leaf = tree.leaf(child);
       for (std::uint32_t i = 0; i < leaf.count; ++i) count(leaf.triangle[i]);
       return;
     }
-    for (std::uint32_t lane = 0; lane < tree.node(child).count; ++lane) visit(child * kTreeWidth + lane);
+    const BoxNode& node = tree.node(child);
+    for (int i = 0; i < 3; ++i) query_.center[i] = static_cast<float>(middle_[i] - double{node.origin[i]});
+    alignas(32) float bounds[kTreeWidth];
+    proximityKernels().boxBounds(node, query_, 0.0F, bounds);
+    for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      if (!(bounds[lane] > 0.0F)) visit(node.child[lane]);
+    }
   }
 
   void count(std::uint32_t triangle) {
@@ -101,6 +125,10 @@ struct Crossings {
     else
       odd = !odd;
   }
+
+ private:
+  dvec3 middle_{0.0};
+  QueryBox query_;
 };
 
 bool isInsideByWinding(const Shells& shells, const geometry::TriangleMesh& mesh, const dvec3& p) {
@@ -181,8 +209,8 @@ bool isInside(const Shells& shells, const BoxTree& tree, const geometry::Triangl
   if (glm::any(glm::lessThan(p_MQ, box.min)) || glm::any(glm::greaterThan(p_MQ, box.max))) return false;
   dvec3 direction(0.36218, 0.51263, 0.77841);
   for (int attempt = 0; attempt < 8; ++attempt) {
-    Crossings crossings{shells, tree, mesh, {p_MQ, direction}};
-    crossings.visit(BoxTree::kRoot);
+    Crossings crossings(shells, tree, mesh, {p_MQ, direction});
+    crossings.run();
     if (!crossings.grazed) return crossings.turns != 0 || crossings.odd;
     direction = dvec3(direction.y - 0.2137 * direction.z, direction.z + 0.1311, -direction.x);
   }

@@ -141,6 +141,41 @@ TEST_P(ProximityKernels, ExactDistancesAreExact) {
   }
 }
 
+TEST_P(ProximityKernels, GapsAlongALineAreTheLeastOfAllCorners) {
+  int apart = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Pose X = test::randomPose(random_, 0.3);
+    const dvec3 line = glm::normalize(X.p + anywhere(0.1));
+    const double line_A[3] = {line.x, line.y, line.z}, t[3] = {X.p.x, X.p.y, X.p.z};
+    double R[9];
+    for (int i = 0; i < 9; ++i) R[i] = X.R()[i % 3][i / 3];
+    ExactPairs pairs, placed;
+    Corners corners[2][kTreeWidth];
+    for (int lane = 0; lane < kTreeWidth; ++lane) {
+      for (int which = 0; which < 2; ++which) {
+        corners[which][lane] = triangle(round + lane, dvec3(0.0), 0.1);
+        for (std::size_t k = 0; k < 9; ++k) {
+          (which == 0 ? pairs.first : pairs.second)[k][lane] = corners[which][lane][k / 3][static_cast<int>(k % 3)];
+        }
+      }
+    }
+    kernels_->placePairs(pairs, R, t, placed);
+    double gaps[kTreeWidth], squared[kTreeWidth];
+    kernels_->exactGaps(placed, line_A, gaps);
+    kernels_->exactDistances(placed, squared);
+    for (int lane = 0; lane < kTreeWidth; ++lane) {
+      double least = 1e9;
+      for (const dvec3& a : corners[0][lane]) {
+        for (const dvec3& b : corners[1][lane]) least = std::min(least, glm::dot(line, X * b - a));
+      }
+      EXPECT_NEAR(gaps[lane], least, 1e-14);
+      EXPECT_GE(std::sqrt(squared[lane]), gaps[lane] - 1e-14);
+      if (gaps[lane] > 0.0) ++apart;
+    }
+  }
+  EXPECT_GT(apart, 500);
+}
+
 TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
   const geometry::TriangleMesh mesh = test::soupMesh(random_, 400, 0.5);
   std::vector<std::uint32_t> all(mesh.triangles.size());
@@ -157,19 +192,25 @@ TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
       query.half[i] = asFloat(other.half[i]);
     }
     alignas(32) float squared[kTreeWidth];
-    kernels_->boxBounds(node, query, squared);
+    // Any line proves only what is so; the one that the nearest points are on is the usual one.
+    const dvec3 line =
+        glm::normalize(index % 3 == 1 ? anywhere(1.0) : other.center - tree.box(index * kTreeWidth).center);
+    for (int i = 0; i < 3 && index % 3 != 0; ++i) query.line[i] = asFloat(line[i]);
+    const float limit = asFloat(0.1 + 0.1 * unit());
+    const std::uint32_t below = kernels_->boxBounds(node, query, limit, squared);
     for (std::uint32_t lane = 0; lane < kTreeWidth; ++lane) {
+      EXPECT_EQ((below >> lane & 1u) != 0, squared[lane] < limit);
       if (lane >= node.count) {
         EXPECT_GT(squared[lane], 1e30f) << "lanes that are not used are infinitely far";
         continue;
       }
       const double expected = std::sqrt(lowerBoundSquared(tree.box(index * kTreeWidth + lane), other));
-      EXPECT_LE(std::sqrt(double{squared[lane]}), expected + 1e-12);
+      EXPECT_LE(std::sqrt(double{squared[lane]}), leastBetween(tree.box(index * kTreeWidth + lane), other) + 1e-9);
       EXPECT_GE(std::sqrt(double{squared[lane]}), expected - 2e-5);
     }
     const dvec3 sweep = anywhere(0.5);
     const float sweep_F[3] = {asFloat(sweep.x), asFloat(sweep.y), asFloat(sweep.z)};
-    kernels_->sweptBoxBounds(node, query, sweep_F, squared);
+    kernels_->sweptBoxBounds(node, query, sweep_F, 0.0f, squared);
     for (std::uint32_t lane = 0; lane < node.count; ++lane) {
       double least = 1e9;
       for (int k = -4; k <= 4; ++k) {
@@ -248,6 +289,8 @@ TEST_P(ProximityKernels, PlanesOnlyPassOverPairsThatAreFarther) {
     LeafTransform transform;
     for (int i = 0; i < 9; ++i) transform.R[i] = asFloat(X.R()[i % 3][i / 3]);
     for (int i = 0; i < 3; ++i) transform.t[i] = asFloat(X.p[i]);
+    const dvec3 line = glm::normalize(round % 3 == 1 ? anywhere(1.0) : X.p + dvec3(0.0, 0.0, 1e-3));
+    for (int i = 0; i < 3 && round % 3 != 0; ++i) transform.line[i] = asFloat(line[i]);
     const double limit = 0.05 * std::abs(unit());
     alignas(16) float moved[9][kLeafSize];
     const std::uint32_t near = kernels_->leafPairs(leaves[0], leaves[1], transform, asFloat(limit * limit), moved);
