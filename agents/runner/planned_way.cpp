@@ -23,7 +23,7 @@ constexpr double kHandRadii[] = {0.12, 0.09, 0.06, 0.04};
 constexpr double kBack[] = {0.0, 0.15, 0.3, 0.5, 0.75, 1.0};
 /// m of drawing back before the second way and each further one. Half: planned from where it was caught, in vain; twice:
 /// the way in is made again.
-constexpr double kBackStep = 0.15;
+constexpr double kBackBeforePlan = 0.15;
 /// Of the goal's tolerances, within which a planned goal lies. Half: fewer goals; twice: ends outside.
 constexpr double kWithin = 0.5;
 
@@ -142,7 +142,7 @@ PlannedWay ofHand(const AgentCell& cell, const MovedBody& body, const AgentGoal&
 }  // namespace
 
 double backBeforePlan(const MovedBody& body, int plans_before) {
-  return body.figure() == nullptr ? 0.0 : kBackStep * plans_before;
+  return body.figure() == nullptr ? 0.0 : kBackBeforePlan * plans_before;
 }
 
 PlannedWay planWay(const AgentCell& cell, const MovedBody& body, const AgentGoal& goal, std::uint64_t seed,
