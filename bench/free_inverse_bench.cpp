@@ -143,7 +143,9 @@ struct Figures {
     double sum = block_us;
     for (const double one : us) sum += one;
     std::sort(us.begin(), us.end());
-    const auto at = [&](double share) { return us[static_cast<std::size_t>(share * static_cast<double>(us.size() - 1))]; };
+    const auto at = [&](double share) {
+      return us[static_cast<std::size_t>(share * static_cast<double>(us.size() - 1))];
+    };
     std::printf("| %s | %zu of %zu | %zu | %zu | %.0f | %.0f / %.0f |\n", who.c_str(), solved, us.size(), checked, free,
                 1e6 * static_cast<double>(free) / sum, at(0.5), at(0.99));
   }
@@ -156,7 +158,8 @@ double microseconds() {
 /// Both on the same poses.
 class Comparison {
  public:
-  Comparison(const kinematics::InverseModel& inverse, const manipulation::JointCheck& check, Loop& loop, const Pose& X_LT)
+  Comparison(const kinematics::InverseModel& inverse, const manipulation::JointCheck& check, Loop& loop,
+             const Pose& X_LT)
       : inverse_(inverse), check_(check), judge_(check.fresh()), loop_(loop), X_TL_(X_LT.inverse()) {}
 
   void run(const std::vector<Pose>& X_BT) {
