@@ -244,7 +244,8 @@ class Scene {
   Spread spreadOf(const Mover& mover, const Stretch& stretch, const Place& middle) const;
   std::span<Swept> swept() { return {swept_.data(), swept_count_}; }
   void endMotion();
-  MotionStop follow(ProximityQuery& query, const Mover& moved, const Mover& met, double gap, const MotionDemand& demand);
+  MotionStop follow(ProximityQuery& query, const Mover& moved, const Mover& met, double gap,
+                    const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 
   std::vector<Part> parts_;
