@@ -161,7 +161,8 @@ class Scene {
     PartIndex part = 0;
     const PartMotion* motion = nullptr;
     Pose X_WBegin, X_WEnd;
-    PlacedBounds begin;
+    PlacedBounds begin;  ///< See beginOf().
+    bool knows_begin = false;
     std::uint32_t known_stations = 0, known_spreads = 0;  ///< Bits: those that were asked for.
     std::array<Station, kStations> stations{};
     std::array<Spread, kStations> spread{};
@@ -170,9 +171,20 @@ class Scene {
   /// One of a pair in advance().
   struct Mover {
     PartIndex part = 0;
-    Swept* swept = nullptr;  ///< Null: it does not move.
-    PartMotion standing{};
-    const PartMotion& motion() const { return swept == nullptr ? standing : *swept->motion; }
+    Swept* swept = nullptr;             ///< Null: it does not move,
+    const Pose* X_WStanding = nullptr;  ///< but is here.
+    double pathBound() const { return swept == nullptr ? 0.0 : swept->motion->path_bound; }
+    Pose at(double s) const { return swept == nullptr ? *X_WStanding : swept->motion->at(s); }
+    /// `scratch` is filled for one that does not move.
+    const PartMotion& motion(PartMotion& scratch) const {
+      if (swept == nullptr) scratch = standingStill(*X_WStanding);
+      return swept == nullptr ? scratch : *swept->motion;
+    }
+  };
+  /// Where a part is on its motion.
+  struct Place {
+    const Pose& X_WP;
+    const PlacedBounds& at;
   };
 
   /// A pair on a stretch of a motion on which it is not yet known to keep its clearance.
@@ -219,7 +231,8 @@ class Scene {
   double extent();
 
   void prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing = false);
-  void addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing);
+  void addMotionPair(Swept& swept, PartIndex other, double clearance, bool standing);
+  const PlacedBounds& beginOf(Swept& swept) const;
   static double leastOf(const ScenePairs::Pair& pair, std::span<const double> clearance);
   static bool isLong(const Unproven& one, double least);
   std::optional<PairIndex> nearerAtEnd(std::span<const double> clearance);
@@ -227,11 +240,12 @@ class Scene {
   std::optional<PairIndex> lookAtMiddles(std::span<const double> clearance);
   std::optional<PairIndex> proveOrHalve(std::span<const double> clearance);
   Mover moverOf(PartIndex part);
-  const Station& stationOf(Mover& mover, std::size_t node, double s, Station& scratch);
-  Spread spreadOf(Mover& mover, const Stretch& stretch, const Pose& X_WMiddle) const;
-  std::span<const Swept> swept() const { return {swept_.data(), swept_count_}; }
+  Place placeOf(const Mover& mover, std::size_t node, double s, Station& scratch);
+  Spread spreadOf(const Mover& mover, const Stretch& stretch, const Place& middle) const;
+  std::span<Swept> swept() { return {swept_.data(), swept_count_}; }
   void endMotion();
-  MotionStop follow(ProximityQuery& query, Mover& a, Mover& b, double gap, const MotionDemand& demand);
+  MotionStop follow(ProximityQuery& query, const Mover& moved, const Mover& met, double gap,
+                    const MotionDemand& demand);
   SceneStop stopOnce(double clearance, double until);
 
   std::vector<Part> parts_;

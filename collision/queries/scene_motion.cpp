@@ -66,10 +66,10 @@ geometry::Bounds Scene::sweptBox(const Swept& swept) {
   return {box.min - beside, box.max + beside};
 }
 
-void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance, bool standing) {
+void Scene::addMotionPair(Swept& swept, PartIndex other, double clearance, bool standing) {
   if (parts_[other].empty) return;
   const std::uint32_t listed = swept_of_[other];
-  const Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
+  Swept* met = listed == 0 ? nullptr : &swept_[listed - 1];
   if (!standing && swept.motion->path_bound + (met == nullptr ? 0.0 : met->motion->path_bound) == 0.0) return;
   const PlacedBounds &at = swept.stations[kWhole].at,
                      &other_at = met == nullptr ? boundsOf(other) : met->stations[kWhole].at;
@@ -83,8 +83,15 @@ void Scene::addMotionPair(const Swept& swept, PartIndex other, double clearance,
   if (!pair.enabled || pair.seen == pass_) return;
   pair.seen = pass_;
   if (sweptBoxGap(at, other_at, sweep_W) > margin) return;
-  const PlacedBounds& other_begin = met == nullptr ? other_at : met->begin;
-  candidates_.push_back({std::max(sphereGap(swept.begin, other_begin), boxGap(swept.begin, other_begin)), index});
+  const PlacedBounds &begin = beginOf(swept), &other_begin = met == nullptr ? other_at : beginOf(*met);
+  candidates_.push_back({std::max(sphereGap(begin, other_begin), boxGap(begin, other_begin)), index});
+}
+
+/// The bounds are of the beginning, wherever the scene has its parts now. Most parts pass nothing and need none.
+const PlacedBounds& Scene::beginOf(Swept& swept) const {
+  if (!swept.knows_begin) swept.begin = placedBounds(*parts_[swept.part].collider, swept.X_WBegin);
+  swept.knows_begin = true;
+  return swept.begin;
 }
 
 void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bool standing) {
@@ -99,20 +106,19 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bo
     now.motion = &part.motion;
     now.X_WBegin = part.motion.at(0.0);
     now.X_WEnd = part.motion.at(1.0);
-    // The bounds are of the beginning, wherever the scene has its parts now.
-    now.begin = placedBounds(*parts_[part.part].collider, now.X_WBegin);
+    now.knows_begin = false;
     now.known_stations = now.known_spreads = 0;
     swept_of_[part.part] = static_cast<std::uint32_t>(swept_count_);
-    Mover mover = moverOf(part.part);
+    const Mover mover = moverOf(part.part);
     Station scratch;
-    spreadOf(mover, {0.0, 1.0, kWhole}, stationOf(mover, kWhole, 0.5, scratch).X_WP);
+    spreadOf(mover, {0.0, 1.0, kWhole}, placeOf(mover, kWhole, 0.5, scratch));
   }
-  for (const Swept& swept : this->swept()) {
+  for (Swept& swept : this->swept()) {
     tree_.visitNear(sweptBox(swept), clearance, [&](PartIndex other) {
       if (swept_of_[other] == 0) addMotionPair(swept, other, clearance, standing);
     });
     for (const Swept& other : this->swept()) {
-      if (other.part != swept.part) addMotionPair(swept, other.part, clearance, standing);
+      if (pairs_.mayBePair(swept.part, other.part)) addMotionPair(swept, other.part, clearance, standing);
     }
     if (!pairs_.isSought(swept.part)) continue;
     for (const PartIndex other : pairs_.seekers()) {  // Those that the tree does not hold.
@@ -125,40 +131,32 @@ void Scene::prepareMotion(std::span<const MovedPart> moved, double clearance, bo
 }
 
 Scene::Mover Scene::moverOf(PartIndex part) {
-  Mover mover{part, nullptr, {}};
-  if (swept_of_[part] == 0)
-    mover.standing = standingStill(parts_[part].X_WP);
-  else
-    mover.swept = &swept_[swept_of_[part] - 1];
-  return mover;
+  if (swept_of_[part] == 0) return {part, nullptr, &parts_[part].X_WP};
+  return {part, &swept_[swept_of_[part] - 1], nullptr};
 }
 
 /// Where it is at s. The first middles are kept, as many pairs ask for them; `node` is their number, 0: none of them.
-const Scene::Station& Scene::stationOf(Mover& mover, std::size_t node, double s, Station& scratch) {
-  if (mover.swept == nullptr) {
-    scratch.X_WP = mover.standing.X_WStart;
-    scratch.at = boundsOf(mover.part);
-    return scratch;
-  }
+Scene::Place Scene::placeOf(const Mover& mover, std::size_t node, double s, Station& scratch) {
+  if (mover.swept == nullptr) return {*mover.X_WStanding, boundsOf(mover.part)};
   const bool is_kept = node == kEndNode || (node > 0 && node < kStations);
   const std::size_t place = node == kEndNode ? 0 : node;
   const std::uint32_t bit = is_kept ? 1u << place : 0u;
   Station& station = is_kept ? mover.swept->stations[place] : scratch;
-  if ((mover.swept->known_stations & bit) != 0) return station;
-  station.X_WP = node == kEndNode ? mover.swept->X_WEnd : mover.motion().at(s);
+  if ((mover.swept->known_stations & bit) != 0) return {station.X_WP, station.at};
+  station.X_WP = node == kEndNode ? mover.swept->X_WEnd : mover.at(s);
   station.at = placedBounds(*parts_[mover.part].collider, station.X_WP);
   mover.swept->known_stations |= bit;
-  return station;
+  return {station.X_WP, station.at};
 }
 
 /// Towards each end a point is no farther from its chord than its path bends, and its chord is that of the sphere's
 /// centre but for the turn.
-Scene::Spread Scene::spreadOf(Mover& mover, const Stretch& stretch, const Pose& X_WMiddle) const {
+Scene::Spread Scene::spreadOf(const Mover& mover, const Stretch& stretch, const Place& middle) const {
   if (mover.swept == nullptr) return {};
   Swept& swept = *mover.swept;
   const std::uint32_t bit = stretch.isKept() ? 1u << stretch.node : 0u;
   if ((swept.known_spreads & bit) != 0) return swept.spread[stretch.node];
-  const PartMotion& motion = mover.motion();
+  const PartMotion& motion = *swept.motion;
   const double half = 0.5 * (stretch.to - stretch.from);
   Spread spread{dvec3(0.0), motion.path_bound * half};
   const double beside = motion.bend_bound * half * half / 8.0;
@@ -174,10 +172,10 @@ Scene::Spread Scene::spreadOf(Mover& mover, const Stretch& stretch, const Pose& 
       X_WFrom = motion.at(stretch.from);
       X_WTo = motion.at(stretch.to);
     }
-    const dvec3 middle = X_WMiddle * mesh.center();
-    const dvec3 back = X_WFrom * mesh.center() - middle, ahead = X_WTo * mesh.center() - middle;
-    const double turn =
-        std::max(turnBound(X_WFrom, X_WMiddle, mesh.radius()), turnBound(X_WTo, X_WMiddle, mesh.radius()));
+    const dvec3& center_W = middle.at.center_W;
+    const dvec3 back = X_WFrom * mesh.center() - center_W, ahead = X_WTo * mesh.center() - center_W;
+    const double turn = std::max(turnBound(X_WFrom, middle.X_WP, mesh.radius()),
+                                 turnBound(X_WTo, middle.X_WP, mesh.radius()));
     const double rest = 0.5 * glm::length(ahead + back) + turn + beside;
     if (rest < spread.rest) spread = {0.5 * (ahead - back), rest};
   }
@@ -194,10 +192,12 @@ void Scene::endMotion() {
 
 /// As collision::advance(), for motions that are long against what they pass: halves them until what is left of each is
 /// shorter than the distance there, which most searches find without measuring it; only near contact it is followed.
-MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double gap, const MotionDemand& demand) {
-  const PartMotion &a = moved.motion(), &b = met.motion();
+MotionStop Scene::follow(ProximityQuery& query, const Mover& moved, const Mover& met, double gap,
+                         const MotionDemand& demand) {
+  PartMotion still_a, still_b;
   const double least = std::max(demand.clearance, kLeastClearance);
-  if (gap <= least && query.within(a.at(0.0), b.at(0.0), least)) return collision::advance(query, a, b, demand);
+  if (gap <= least && query.within(moved.at(0.0), met.at(0.0), least))
+    return collision::advance(query, moved.motion(still_a), met.motion(still_b), demand);
   constexpr std::size_t kLastNode = std::size_t{1} << kMostHalvings;
   const bool is_whole = demand.until == 1.0;
   Stretch open[kMostHalvings + 2];
@@ -209,23 +209,23 @@ MotionStop Scene::follow(ProximityQuery& query, Mover& moved, Mover& met, double
     const Stretch piece = open[--count];
     const double middle = piece.middle();
     const std::size_t node = is_whole ? piece.node : 0;
-    const Station &at_a = stationOf(moved, node, middle, scratch_a), &at_b = stationOf(met, node, middle, scratch_b);
+    const Place a = placeOf(moved, node, middle, scratch_a), b = placeOf(met, node, middle, scratch_b);
     const Stretch stretch{piece.from, piece.to, node};
-    const Spread of_a = spreadOf(moved, stretch, at_a.X_WP), of_b = spreadOf(met, stretch, at_b.X_WP);
+    const Spread of_a = spreadOf(moved, stretch, a), of_b = spreadOf(met, stretch, b);
     const dvec3 sweep_W = of_a.d_W - of_b.d_W;
     const double margin = least + of_a.rest + of_b.rest + kRounding;
-    if (sweptSphereGap(at_a.at, at_b.at, sweep_W) > margin) continue;
-    if (sweptBoxGap(at_a.at, at_b.at, sweep_W) > margin) continue;
+    if (sweptSphereGap(a.at, b.at, sweep_W) > margin) continue;
+    if (sweptBoxGap(a.at, b.at, sweep_W) > margin) continue;
     const bool is_long = 2.0 * (margin + glm::length(sweep_W)) > kShortStretch && piece.node < kLastNode;
     // Of a long stretch each half is soon looked at, with less to look for: the whole is not worth much.
     const int effort = !is_long || piece.node > kSoonHalved ? kAnyEffort : kEffortBeforeHalving;
-    if (piece.node > kWhole && !query.mayMeet(at_a.X_WP, at_b.X_WP, sweep_W, margin, effort)) continue;
+    if (piece.node > kWhole && !query.mayMeet(a.X_WP, b.X_WP, sweep_W, margin, effort)) continue;
     if (is_long) {
       open[count++] = {middle, piece.to, 2 * piece.node + 1};
       open[count++] = {piece.from, middle, 2 * piece.node};
       continue;
     }
-    const Cut cut_a(a, piece.from, piece.to), cut_b(b, piece.from, piece.to);
+    const Cut cut_a(moved.motion(still_a), piece.from, piece.to), cut_b(met.motion(still_b), piece.from, piece.to);
     stop = collision::advance(query, cut_a.motion, cut_b.motion, {demand.clearance, 1.0});
     stop.s = piece.from + stop.s * (piece.to - piece.from);
     if (stop.stopped) return stop;
@@ -240,10 +240,10 @@ SceneStop Scene::stopOnce(double clearance, double until) {
   const double least = std::max(clearance, kLeastClearance);
   for (const Candidate& candidate : candidates_) {
     ScenePairs::Pair& pair = pairs_[candidate.pair];
-    Mover moved = moverOf(pair.moved), met = moverOf(pair.environment);
-    const double reach = (moved.motion().path_bound + met.motion().path_bound) * stop.s;
+    const Mover moved = moverOf(pair.moved), met = moverOf(pair.environment);
+    const double reach = (moved.pathBound() + met.pathBound()) * stop.s;
     if (stop.s == 0.0 && !stop.began_colliding && candidate.lower_bound <= kTouchingDistance) {
-      stop.began_colliding = queryOf(pair).collides(moved.motion().at(0.0), met.motion().at(0.0));
+      stop.began_colliding = queryOf(pair).collides(moved.at(0.0), met.at(0.0));
     }
     if (reach == 0.0 || candidate.lower_bound > reach + least) continue;
     const MotionStop pair_stop = follow(queryOf(pair), moved, met, candidate.lower_bound, {clearance, stop.s});
@@ -280,11 +280,11 @@ SceneStop Scene::advance(std::span<const MovedPart> moved, double clearance) {
 std::optional<PairIndex> Scene::nearerAtEnd(std::span<const double> clearance) {
   for (const Candidate& candidate : candidates_) {
     ScenePairs::Pair& pair = pairs_[candidate.pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
-    const double least = leastOf(pair, clearance), way = a.motion().path_bound + b.motion().path_bound;
+    const Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = leastOf(pair, clearance), way = a.pathBound() + b.pathBound();
     if (candidate.lower_bound > way + least) continue;
     Station scratch_a, scratch_b;
-    const Station &end_a = stationOf(a, kEndNode, 1.0, scratch_a), &end_b = stationOf(b, kEndNode, 1.0, scratch_b);
+    const Place end_a = placeOf(a, kEndNode, 1.0, scratch_a), end_b = placeOf(b, kEndNode, 1.0, scratch_b);
     if (sphereGap(end_a.at, end_b.at) > least || boxGap(end_a.at, end_b.at) > least) continue;
     if (queryOf(pair).within(end_a.X_WP, end_b.X_WP, least)) return candidate.pair;
   }
@@ -296,11 +296,11 @@ std::optional<PairIndex> Scene::listUnproven(std::span<const double> clearance) 
   unproven_.clear();
   for (const Candidate& candidate : candidates_) {
     ScenePairs::Pair& pair = pairs_[candidate.pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
-    const double least = leastOf(pair, clearance), way = a.motion().path_bound + b.motion().path_bound;
+    const Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const double least = leastOf(pair, clearance), way = a.pathBound() + b.pathBound();
     if (way == 0.0 || candidate.lower_bound > way + least) continue;
     // One inside the other is seen here only: on its way out its surface would come near.
-    if (candidate.lower_bound <= least && queryOf(pair).within(a.motion().at(0.0), b.motion().at(0.0), least))
+    if (candidate.lower_bound <= least && queryOf(pair).within(a.at(0.0), b.at(0.0), least))
       return candidate.pair;
     unproven_.push_back({{0.0, 1.0, kWhole}, candidate.pair, way, {}, 0.0});
   }
@@ -313,11 +313,11 @@ std::optional<PairIndex> Scene::lookAtMiddles(std::span<const double> clearance)
   Station scratch_a, scratch_b;
   for (Unproven& one : unproven_) {
     ScenePairs::Pair& pair = pairs_[one.pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
     const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
-    const Station& at_a = stationOf(a, one.stretch.node, middle, scratch_a);
-    const Station& at_b = stationOf(b, one.stretch.node, middle, scratch_b);
-    const Spread of_a = spreadOf(a, one.stretch, at_a.X_WP), of_b = spreadOf(b, one.stretch, at_b.X_WP);
+    const Place at_a = placeOf(a, one.stretch.node, middle, scratch_a);
+    const Place at_b = placeOf(b, one.stretch.node, middle, scratch_b);
+    const Spread of_a = spreadOf(a, one.stretch, at_a), of_b = spreadOf(b, one.stretch, at_b);
     one.sweep_W = of_a.d_W - of_b.d_W;
     one.margin = least + of_a.rest + of_b.rest + kRounding;
     if (sweptSphereGap(at_a.at, at_b.at, one.sweep_W) > one.margin) continue;
@@ -343,15 +343,14 @@ std::optional<PairIndex> Scene::proveOrHalve(std::span<const double> clearance) 
   Station scratch_a, scratch_b;
   for (const Unproven& one : unproven_) {
     ScenePairs::Pair& pair = pairs_[one.pair];
-    Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
+    const Mover a = moverOf(pair.moved), b = moverOf(pair.environment);
     const auto [from, to, node] = one.stretch;
     const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
     const bool is_long = isLong(one, least);
     const double size = std::min(parts_[pair.moved].collider->radius(), parts_[pair.environment].collider->radius());
     const double extent = 2.0 * (one.margin + glm::length(one.sweep_W));
     if (!is_long || extent < kProvenSize * size) {
-      const Station& at_a = stationOf(a, node, middle, scratch_a);
-      const Station& at_b = stationOf(b, node, middle, scratch_b);
+      const Place at_a = placeOf(a, node, middle, scratch_a), at_b = placeOf(b, node, middle, scratch_b);
       if (!queryOf(pair).mayMeet(at_a.X_WP, at_b.X_WP, one.sweep_W, one.margin)) continue;
     }
     if (is_long) {
@@ -359,11 +358,11 @@ std::optional<PairIndex> Scene::proveOrHalve(std::span<const double> clearance) 
       halves_.push_back({{middle, to, 2 * node + 1}, one.pair, one.way, {}, 0.0});
       continue;
     }
-    const Station& at_a = stationOf(a, node, middle, scratch_a);
-    const Station& at_b = stationOf(b, node, middle, scratch_b);
+    const Place at_a = placeOf(a, node, middle, scratch_a), at_b = placeOf(b, node, middle, scratch_b);
     if (!queryOf(pair).within(at_a.X_WP, at_b.X_WP, least + 0.5 * one.length() + kRounding)) continue;
     if (least > kLeastClearance) return one.pair;
-    const Cut cut_a(a.motion(), from, to), cut_b(b.motion(), from, to);
+    PartMotion still_a, still_b;
+    const Cut cut_a(a.motion(still_a), from, to), cut_b(b.motion(still_b), from, to);
     const MotionStop stop = collision::advance(queryOf(pair), cut_a.motion, cut_b.motion, {0.0, 1.0});
     if (stop.stopped || stop.began_colliding) return one.pair;
   }

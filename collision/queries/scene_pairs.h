@@ -81,6 +81,10 @@ class ScenePairs {
   /// side.
   const std::vector<PartIndex>& seekers() const { return seekers_; }
   bool isSought(PartIndex part) const { return part < roles_.size() && roles_[part].sought; }
+  /// False: they are surely no pair, as a part and itself.
+  bool mayBePair(PartIndex a, PartIndex b) const {
+    return a != b && ((isSeeker(a) && isSought(b)) || (isSeeker(b) && isSought(a)));
+  }
   bool isSeeker(PartIndex part) const { return part < roles_.size() && roles_[part].seeks; }
 
  private:
