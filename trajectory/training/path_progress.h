@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/shapes/pose.h"
@@ -23,6 +24,8 @@ class PathProgress {
   double way() const { return way_; }
   double share() const { return length() > 0.0 ? way_ / length() : 1.0; }
   void restart() { way_ = 0.0; }
+  /// Goes to a place, limited to the path.
+  void setWay(double way) { way_ = std::clamp(way, 0.0, length()); }
 
   /// Takes the trainee's pose and searches for the nearest place within `reach` (m of path length) of the last one.
   void follow(const Pose& X_WT, double reach = 0.03);
