@@ -221,7 +221,7 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
     turn(held, hand, X_DP, dt);
   else if (!state_.insists && state_.authority > 0.0)
     ride_.step(held, hand, X_DP, *state_.way, progress_,
-               {state_.authority * std::min(1.0, state_.share / kCarries), dt, glm::distance(X_DS.p, X_DP.p) > kPressed});
+               {state_.authority * std::min(1.0, state_.share / kCarries), dt, glm::distance(X_DS.p, X_DP.p) > kPressed, X_DS});
   return true;
 }
 

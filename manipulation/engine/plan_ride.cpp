@@ -115,13 +115,13 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
   const double scale = mapping.scale();
   const double speed = now.pressed ? kPressedSpeed * scale : std::min(kRideSpeed * scale, kRideSpeedOfCell);
   const Pose X_WBefore = held.movedFrame(), X_WHand = mapping.toCell(X_DP);
-  const bool by_hand = now.pressed || now.authority < 1.0 || held_up_s_ > 0.0;
+  const bool by_hand = now.authority < 1.0;
   double reach = std::min(kNearReach * scale, kNearestOfCell);
   for (int i = 0; by_hand && i < kLooksNearer; ++i, reach *= 0.25) progress.follow(X_WBefore, reach);
   EntityConfiguration wanted = configurationAt(held, way, progress, progress.way());
   const bool off = isOff(held, wanted);
   if (!off) {
-    double step = stepTo(X_WHand.p + shift_W_, progress, speed * now.dt);
+    double step = stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, speed * now.dt);
     const double from = progress.way();
     for (int i = 0;; ++i, step *= 0.5) {
       wanted = configurationAt(held, way, progress, from + step);
@@ -134,10 +134,10 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
       needed > 0.0 &&
       held.goTo(needed <= time ? wanted : held.manipulator().between(held.accepted(), wanted, time / needed)).blocked;
   held_up_s_ = blocked || (off && now.pressed) ? held_up_s_ + now.dt : 0.0;
-  // The anchor follows, less what the hand's own motion is to move.
-  const double passes = now.pressed || blocked ? 1.0 : 1.0 - now.authority;
+  // The anchor follows, less what the hand's own motion is to move. A hand that presses is let go of slowly.
   const Pose X_WM = held.movedFrame();
-  const dvec3 way_W = X_WM.p + passes * (X_WHand.p - X_WBefore.p) - X_WHand.p;
+  const dvec3 all_W = X_WM.p + (1.0 - now.authority) * (X_WHand.p - X_WBefore.p) - X_WHand.p;
+  const dvec3 way_W = now.pressed ? shortenedTo(all_W, speed * now.dt) : all_W;
   const dvec3 turned = rotationVector(X_WHand.q * glm::conjugate(X_WBefore.q));
   const dquat q_Wanted = quaternionFromRotationVector((1.0 - now.authority) * turned) * X_WM.q;
   shift_W_ -= way_W;

@@ -12,14 +12,15 @@ namespace hapticell::manipulation {
 /// what the planner has found free is what is moved through, with the joints of the plan.
 ///
 /// The hand's anchor goes along, so that the hand may wander beside the way without leading the entity off it. What of
-/// the hand's motion moves the entity is 1 minus the authority, and all of it in contact: there the entity goes back to
-/// the way so slowly that forces change by little. Every motion is checked (HeldEntity::goTo). Manipulation thread only.
+/// the hand's motion moves the entity is 1 minus the authority. Where the hand presses, the entity and the anchor move so
+/// slowly that forces change by little. Every motion is checked (HeldEntity::goTo). Manipulation thread only.
 class PlanRide {
  public:
   struct Step {
     double authority = 0.0;  ///< 0 to 1, with the share that the hand leaves.
     double dt = 0.0;         ///< s of this step.
     bool pressed = false;    ///< The hand presses against something.
+    Pose X_DS;               ///< The stylus: a hand that presses along the way is ahead on it too.
   };
 
   /// The entity and the hand are at the same place again, and on no way.

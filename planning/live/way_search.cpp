@@ -98,9 +98,11 @@ std::vector<EntityConfiguration> WaySearch::startOf(const manipulation::PlanView
     if (!isSamePlace(*near, view.standing)) way.push_back(*near);
     return way;
   }
-  space_->setClearance(options_.clearance);
   for (std::size_t i = view.trail->size(); i-- > 0;) {
+    space_->setClearance(kTouching);
+    if (!space_->isFree(way.back(), (*view.trail)[i])) break;
     way.push_back((*view.trail)[i]);
+    space_->setClearance(options_.clearance);
     if (space_->isFree(way.back())) return way;
   }
   return {};
