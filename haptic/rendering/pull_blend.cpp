@@ -33,8 +33,10 @@ dvec3 PullBlend::tick(const dvec3& pull_D, bool changed, double dt, const dvec3&
   yield_D_ *= std::exp(-dt / kDecay);
   const dvec3 step_D = rest_step_D + pull_D + offset_D_ + yield_D_ - rendered_D_;
   const double step = glm::length(step_D), over = step - kFastestTogether * dt;
-  if (over > 0.0 && pull_D != dvec3(0.0))
-    yield_D_ = shortenedTo(yield_D_ - step_D * (std::min(over, kFastestYield * dt) / step), kMostYield);
+  if (over > 0.0 && pull_D != dvec3(0.0)) {
+    const double given = std::min({over, glm::length(rest_step_D), kFastestYield * dt});
+    yield_D_ = shortenedTo(yield_D_ - step_D * (given / step), kMostYield);
+  }
   rendered_D_ = pull_D + offset_D_ + yield_D_;
   return rendered_D_;
 }

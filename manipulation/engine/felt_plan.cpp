@@ -217,11 +217,13 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
   if (!leads_) p_WT_ = held.movedFrame().p;
   leads_ = true;
   p_WT_ += shortenedTo(wantedPoint(scale) - p_WT_, kLeadSpeed * scale * dt);
-  if (!rides_)
+  if (!rides_) {
     turn(held, hand, X_DP, dt);
-  else if (!state_.insists && state_.authority > 0.0)
-    ride_.step(held, hand, X_DP, *state_.way, progress_,
-               {state_.authority * std::min(1.0, state_.share / kCarries), dt, glm::distance(X_DS.p, X_DP.p) > kPressed, X_DS});
+  } else if (!state_.insists && state_.authority > 0.0) {
+    const double authority = state_.authority * std::min(1.0, state_.share / kCarries);
+    const bool pressed = glm::distance(X_DS.p, X_DP.p) > kPressed;
+    ride_.step(held, hand, X_DP, *state_.way, progress_, {authority, dt, pressed, X_DS});
+  }
   return true;
 }
 
