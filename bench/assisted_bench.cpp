@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hand that only knows the straight way, a planner, and both together: how often and how soon they solve a move.
 //
-// usage: assisted_bench [extraction] [puzzle] [pipe] [robot] [runs=10] [first=1] [limit=40] [full] [together]
-// together: only hand and planner, without either alone.
+// usage: assisted_bench [extraction] [puzzle] [pipe] [robot] [runs=10] [first=1] [limit=40] [full] [together] [planner] [hand]
+// together, planner, hand: these modes alone; without any of them, all three.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -61,7 +61,7 @@ constexpr std::size_t kMostChecks = 400'000;
 struct Limits {
   int runs = 10, first = 1;
   double seconds = 40.0;
-  bool alone = true;  ///< Also the hand alone and the planner alone.
+  bool planner = false, hand = false, together = false;  ///< None: all.
 };
 
 void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
@@ -70,7 +70,7 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   options.entities = scene.entities;
   options.pairs = scene.pairs;
   options.entity = scene.entity;
-  options.configuration.manipulation.rate_hz = 250.0;
+  options.configuration.manipulation.rate_hz = scene.rate_hz;
   options.configuration.manipulation.edge_drift = 0.1;
   options.axes.mode = manipulation::AxesMode::kCell;
   options.scale = {manipulation::ScaleLevel::kNumber, scene.scale};
@@ -142,25 +142,25 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     const auto seed = static_cast<std::uint64_t>(run + limits.first);
     const AssistedScene scene = make(seed);
     name = scene.name;
-    if (limits.alone) {
-      planAlone(scene, seed, limits.seconds, planner);
-      handle(scene, seed, limits.seconds, std::make_shared<GoalOnly>(scene.goal), hand);
-    }
-    planning::LiveOptions live;
-    live.goal = scene.goal;
-    live.clearance = scene.clearance;
-    live.seed = seed;
-    live.most_checks = kMostChecks;
-    live.in_virtual_time = true;
-    live.cost_s = [](const planning::PlanResult& result) { return kCheckTime * static_cast<double>(result.checks); };
-    const auto planner_beside = std::make_shared<planning::LivePlanner>(std::move(live));
-    handle(scene, seed, limits.seconds, planner_beside, both);
-    if (std::getenv("ASSISTED_TELLS")) {
-      const planning::LivePlanner::Figures figures = planner_beside->figures();
-      std::fprintf(stderr, "  seed %llu: %llu searches, %llu found, %llu given%s%s\n",
-                   static_cast<unsigned long long>(seed), static_cast<unsigned long long>(figures.searches),
-                   static_cast<unsigned long long>(figures.found), static_cast<unsigned long long>(figures.given),
-                   figures.failure ? ": " : "", figures.failure ? english(figures.failure->reason).c_str() : "");
+    if (limits.planner) planAlone(scene, seed, limits.seconds, planner);
+    if (limits.hand) handle(scene, seed, limits.seconds, std::make_shared<GoalOnly>(scene.goal), hand);
+    if (limits.together) {
+      planning::LiveOptions live;
+      live.goal = scene.goal;
+      live.clearance = scene.clearance;
+      live.seed = seed;
+      live.most_checks = kMostChecks;
+      live.in_virtual_time = true;
+      live.cost_s = [](const planning::PlanResult& result) { return kCheckTime * static_cast<double>(result.checks); };
+      const auto planner_beside = std::make_shared<planning::LivePlanner>(std::move(live));
+      handle(scene, seed, limits.seconds, planner_beside, both);
+      if (std::getenv("ASSISTED_TELLS")) {
+        const planning::LivePlanner::Figures figures = planner_beside->figures();
+        std::fprintf(stderr, "  seed %llu: %llu searches, %llu found, %llu given%s%s\n",
+                     static_cast<unsigned long long>(seed), static_cast<unsigned long long>(figures.searches),
+                     static_cast<unsigned long long>(figures.found), static_cast<unsigned long long>(figures.given),
+                     figures.failure ? ": " : "", figures.failure ? english(figures.failure->reason).c_str() : "");
+      }
     }
     std::fprintf(stderr, "%s %d: planner %d, hand %d, both %d of %d\n", name.c_str(), run + 1, planner.solved,
                  hand.solved, both.solved, run + 1);
@@ -171,8 +171,8 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     return tried.runs > 0 ? std::string(text) : std::string("-");
   };
   std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(), cell(hand).c_str(),
-              cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / both.runs,
-              static_cast<double>(both.insistences) / both.runs, hand.most_step, both.most_step, 1e3 * hand.least_energy,
+              cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
+              static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_step, both.most_step, 1e3 * hand.least_energy,
               1e3 * both.least_energy);
   std::fflush(stdout);
 }
@@ -189,10 +189,13 @@ int main(int argc, char** argv) {
     if (word == "full") limits.runs = 100;
     else if (word.starts_with("runs=")) limits.runs = std::max(1, std::atoi(word.c_str() + 5));
     else if (word.starts_with("first=")) limits.first = std::max(1, std::atoi(word.c_str() + 6));
-    else if (word == "together") limits.alone = false;
+    else if (word == "together") limits.together = true;
+    else if (word == "planner") limits.planner = true;
+    else if (word == "hand") limits.hand = true;
     else if (word.starts_with("limit=")) limits.seconds = std::max(1.0, std::atof(word.c_str() + 6));
     else wanted.push_back(word);
   }
+  if (!limits.planner && !limits.hand && !limits.together) limits.planner = limits.hand = limits.together = true;
   if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
   std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both | mJ, hand / both |\n"
               "| --- | --- | --- | --- | --- | --- | --- | --- |\n");

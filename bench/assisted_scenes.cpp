@@ -168,6 +168,7 @@ AssistedScene bentPipeScene() {
 
 AssistedScene robotScene(std::uint64_t seed) {
   AssistedScene scene = sceneOf("robot in 80 parts", "robot", 0.005);
+  scene.rate_hz = 100.0;  // A step takes 10 ms of a core.
   static const Chain chain = makeChain(200);
   static const std::vector<workcell::Entity> cell = [] {
     std::vector<workcell::Entity> entities{chainRobot(chain)};

@@ -20,6 +20,7 @@ struct AssistedScene {
   Pose X_WG;                ///< Where the moved frame is to go, for the hand.
   double scale = 1.0;       ///< m of the cell a metre of hand.
   double clearance = 0.002; ///< m of the planner.
+  double rate_hz = 250.0;   ///< Of the manipulation loop.
 };
 
 /// The exercise of the filter unit (config/exercises/extraction.hcell), with the end of the expert's recording as goal.

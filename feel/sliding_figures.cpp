@@ -111,8 +111,7 @@ std::vector<Sliding> movedSlidings() {
   return all;
 }
 
-/// Under the pull of a changing plan, within what is asked without it. Along a hinge the hand bounces off the stop; that
-/// is 0.098 N/ms without a plan already, so a third more is allowed there (docs/dev/feel.md).
+/// Under the pull of a changing plan, within what is asked without it.
 std::vector<Sliding> plannedSlidings() {
   std::vector<Sliding> all;
   for (const char* name : {"flat wall", "cylinder R50", "bore R10", "corner of three planes", "hinge with stop"}) {
@@ -125,7 +124,6 @@ std::vector<Sliding> plannedSlidings() {
       };
       Limits limits;
       limits.pull = 0.05;
-      if (scene.name == "hinge with stop") limits.step = 0.13;
       all.push_back({{scene.name + ", changing plan", make}, limits, kSlide, "PLAN"});
     }
   }

@@ -125,8 +125,9 @@ MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVec
   return limited(proxy_step, allowed);
 }
 
-/// Of the set in use, as far as the stylus is inside its zone; without a step where sets change.
-dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt) {
+/// Of the set in use, as far as the stylus is inside its zone; without a step where sets change. `rest_step_D`: of the
+/// rest of the force.
+dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt, const dvec3& rest_step_D) {
   bool inside = false;
   dvec3 pull_D(0.0);
   if (sets_.holds()) {
@@ -135,7 +136,7 @@ dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt) {
     if (inside) pull_D = grouped.pullAt(X_DS);
   }
   const bool crossed = std::exchange(pulls_inside_, inside) != inside;
-  return pulls_.tick(pull_D, changed || crossed, dt);
+  return pulls_.tick(pull_D, changed || crossed, dt, rest_step_D);
 }
 
 MetricVector ForceRenderer::couplingForce(const ProxyStep& solved) const {
@@ -209,8 +210,10 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   late_ = late;
   gains_.updateDamper(contact_, catches_up, dt);
 
+  const dvec3 coupling_before_D = spring_.last().wanted.linear;
   spring_.noteWanted(couplingForce(solved));
-  load_D_ = load_.tick(X_DS.p, velocities_.stylus_D().linear, dt) + pullOf(X_DS, changed || jumped, dt);
+  load_D_ = load_.tick(X_DS.p, velocities_.stylus_D().linear, dt) +
+            pullOf(X_DS, changed || jumped, dt, spring_.last().wanted.linear - coupling_before_D);
   return isFinite() ? resultOf(solved) : endWithoutSet(X_DPLast, X_DS);
 }
 

@@ -116,7 +116,7 @@ class ForceRenderer {
   MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                            const MetricVector& stylus_step, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
-  dvec3 pullOf(const Pose& X_DS, bool changed, double dt);
+  dvec3 pullOf(const Pose& X_DS, bool changed, double dt, const dvec3& rest_step_D);
   MetricVector couplingForce(const ProxyStep& solved) const;
   bool isFinite() const;
   RenderResult resultOf(const ProxyStep& solved) const;

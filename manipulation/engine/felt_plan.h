@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "manipulation/engine/cell_state.h"
 #include "manipulation/engine/hand_mapping.h"
 #include "manipulation/engine/hand_trail.h"
+#include "manipulation/engine/plan_ride.h"
 #include "manipulation/engine/plan_source.h"
 #include "manipulation/holding/held_entity.h"
 #include "trajectory/training/path_progress.h"
@@ -19,11 +19,9 @@ namespace hapticell::manipulation {
 ///
 /// The pull is a row of the constraint set (ConstraintKind::kPull), as the guidance of training; nothing holds the hand
 /// in the tube. The *authority* (0 to 1) is the user's, times a share that falls to 0 where the hand insists: out of the
-/// tube for half a second. The planner then gets the place where the hand pushes; with its answer the share comes back. As most
-/// devices cannot turn the wrist, the entity is turned towards the way's orientation, as fast as the authority says.
-/// A robot (a way with joints) is in the same measure kept within a quarter of the clearance from its way while the hand
-/// wanders in the tube: at a scale of 20 a centimetre of hand is 20 cm of the cell. It waits on the way for its turning,
-/// and leans towards the joints of the plan. The pull and the insisting go by the hand.
+/// tube for half a second. The planner then gets the place where the hand pushes; with its answer the share comes back.
+/// While the hand is in the tube the entity is carried on the way itself (PlanRide), as far as the authority says. Where
+/// the hand may not move or turn it freely, it is only turned, as fast as the authority says.
 ///
 /// A new way is not felt as a jump: the point that pulls runs to the new way at a limited speed, and the renderer takes
 /// out what is left (haptic::PullBlend). Manipulation thread only.
@@ -47,10 +45,11 @@ class FeltPlan {
   void forget();
 
   /// A step with `held` at its accepted configuration, before it follows the hand: tells the planner, takes its newest
-  /// way, and turns the entity (in `hand`). X_DP: the proxy. True: the newest set says something else by now.
-  bool step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const CellState& cell);
+  /// way, and moves the entity (`held`, `hand`). X_DS, X_DP: stylus and proxy. True: the newest set says something else
+  /// by now.
+  bool step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const Pose& X_DP, const CellState& cell);
   /// The hand has been anchored again: it and the entity are at the same place again.
-  void anchored() { shift_W_ = dvec3(0.0); }
+  void anchored() { ride_.restart(); }
   /// Adds the pull to a set about the accepted configuration.
   void addTo(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping) const;
 
@@ -60,14 +59,9 @@ class FeltPlan {
   void look(const HeldEntity& held, const CellState& cell, double scale);
   void adopt(const Pose& X_WM);
   void watchHand(const dvec3& p_WH, double scale, double dt);
-  dvec3 directionAt(double way) const;
-  dvec3 keptOnWay(const dvec3& p_WH, bool waits, double step) const;
-  bool lean(HeldEntity& held, double dt) const;
-  void keepOnWay(bool waits, HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt);
-  dvec3 gentle(const dvec3& way_W, HeldEntity& held, double scale, double dt);
   double aheadOn(double scale) const;
   dvec3 wantedPoint(double scale) const;
-  bool turn(const HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt) const;
+  void turn(const HeldEntity& held, HandMapping& hand, const Pose& X_DP, double dt) const;
 
   std::shared_ptr<PlanSource> source_;
   State state_;
@@ -76,8 +70,8 @@ class FeltPlan {
   PlanView view_;
   bool leads_ = false;      ///< There is a point that pulls.
   dvec3 p_WT_{0.0};         ///< It.
-  dvec3 shift_W_{0.0};      ///< m: from the entity's target to where the hand alone would have it.
-  std::vector<FreeMotion::PairDistance> near_;  // Scratch.
+  PlanRide ride_;
+  bool rides_ = false;      ///< The entity is carried on the way.
   double outside_s_ = 0.0;  ///< s that the hand has been out of the tube.
 };
 

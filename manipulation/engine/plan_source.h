@@ -37,6 +37,7 @@ struct PlanView {
   dvec3 push_W{0.0};                  ///< m: where the hand pushes, from the way's nearest point, at the newest
                                       ///< insistence; zero before the first.
   std::uint64_t way_number = 0;       ///< The way that is felt now; 0: none.
+  bool strayed = false;               ///< Something keeps the entity off that way.
   double way_left = 0.0;              ///< m of that way, and of its turning (0.1 m a radian), that are still to go.
 };
 

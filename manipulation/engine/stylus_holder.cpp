@@ -247,7 +247,7 @@ void StylusHolder::follow(const ScriptedEntities& scripted) {
   const std::int64_t now = cell_.clock().now();
   HeldEntity* const moved = hand_.isClutched() ? nullptr : grip_.held();
   if (moved != nullptr) {
-    if (plan_.step(*moved, hand_, state.X_DP, cell_)) sets_.refresh();
+    if (plan_.step(*moved, hand_, state.X_DS, state.X_DP, cell_)) sets_.refresh();
     const Pose X_DWanted = guides_.onGuides(state.X_DP, *moved, hand_.mapping());
     const auto followed = moved->follow(X_DWanted, hand_.mapping(), &sets_.built(), cell_.clock().stepTime());
     hurried_joint_ = followed.hurried_joint;

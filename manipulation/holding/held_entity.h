@@ -74,9 +74,6 @@ class HeldEntity {
   }
   /// Moves straight from the accepted configuration to another one, in small steps, until something blocks it.
   WayResult goTo(const EntityConfiguration& target) { return way_.goTo(target); }
-  /// Moves a robot with more joints than its tool needs towards these joint positions (one a variable, else ignored) by
-  /// at most `most` rad or m each, as far as the way is free; the tool stays. Nothing on other entities.
-  void leanTo(const std::vector<double>& joints, double most) { way_.leanTo(joints, most); }
   /// Moves a scripted obstacle by `way_W` (m). The held entity gives way where it would be hit, as far as it can; if it
   /// cannot, the obstacle waits, as with a machine's guard. Returns the share of the motion that the obstacle made.
   double moveOther(workcell::EntityId other, const dvec3& way_W) { return way_.moveOther(other, way_W); }

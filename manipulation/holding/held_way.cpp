@@ -196,27 +196,6 @@ bool HeldWay::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
   return false;
 }
 
-void HeldWay::leanTo(const std::vector<double>& joints, double most) {
-  /// m: of the moved frame; more is a motion of the tool, not of the arm behind it. Half: stops leaning where the
-  /// inverse model is coarse; twice: still less than is felt.
-  constexpr double kStays = 5e-4;
-  EntityConfiguration leant = state_.accepted;
-  if (joints.size() != leant.joints.size() || !(most > 0.0)) return;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    leant.joints[i] += std::clamp(joints[i] - leant.joints[i], -most, most);
-  const Pose X_WM = state_.movedFrame();
-  leant = state_.manipulator->propose(leant, X_WM, std::numeric_limits<double>::infinity());
-  double nearer = 0.0;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const double way = leant.joints[i] - state_.accepted.joints[i];
-    if (std::abs(way) > 2.0 * most) return;  // Another configuration of the arm.
-    nearer += way * (joints[i] - state_.accepted.joints[i]);
-  }
-  const Twist off = difference(state_.manipulator->movedFrame(leant), X_WM);
-  if (nearer <= 0.0 || glm::length(off.linear) + haptic::kRotationLever * glm::length(off.angular) > kStays) return;
-  goTo(leant);
-}
-
 HeldWay::Gone HeldWay::goTo(const EntityConfiguration& target) {
   /// rad or m of a joint: bounds of the way are good for small pieces. Half: twice the checks of a move; twice: bounds
   /// four times as loose in bends.

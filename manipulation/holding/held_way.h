@@ -47,7 +47,6 @@ class HeldWay {
   /// See the functions of HeldEntity with the same names.
   Followed follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built, double duration_s);
   Gone goTo(const EntityConfiguration& target);
-  void leanTo(const std::vector<double>& joints, double most);
   double moveOther(workcell::EntityId other, const dvec3& way_W);
   void placeOther(workcell::EntityId other, const EntityConfiguration& at);
 

@@ -97,6 +97,7 @@ struct LivePlanner::Worker {
         stop = false;
       }
       WaySearch::Found found = search.find(view, &stop);
+      search.join(found, present());
       std::unique_lock lock(mutex);
       book(found);
       noteSpace();
@@ -104,6 +105,12 @@ struct LivePlanner::Worker {
       wait.wait_for(lock, period, [this] { return stopping; });
       if (stopping) return;
     }
+  }
+
+  /// Where the entity is by now.
+  manipulation::PlanView present() {
+    const std::lock_guard lock(mutex);
+    return newest_view;
   }
 
   /// Under the lock, as what follows.
@@ -142,7 +149,7 @@ struct LivePlanner::Worker {
     if (found.answers != given->answers) return true;
     if (given->number != now.way_number) return false;  // The last one has not even been felt.
     const bool stuck = 1e-9 * static_cast<double>(now.time_ns - best_ns) > kStuck;
-    return stuck || found.length < kWorthChange * now.way_left;
+    return stuck || now.strayed || found.length < kWorthChange * now.way_left;
   }
 
   /// Progress on the way in use.
@@ -156,6 +163,7 @@ struct LivePlanner::Worker {
     watch(view);
     if (pending && view.time_ns >= due_ns) {
       book(*pending);
+      search.join(*pending, view);
       finish(std::move(*pending), view);
       pending.reset();
       next_ns = view.time_ns + static_cast<std::int64_t>(1e9 * options.period_s);

@@ -42,6 +42,10 @@ double wayBetween(const Pose& a, const Pose& b) {
   return off.position + kMetresPerRadian * off.angle;
 }
 
+bool isSamePlace(const EntityConfiguration& a, const EntityConfiguration& b) {
+  return a.joints == b.joints && a.X_WE.p == b.X_WE.p && a.X_WE.q == b.X_WE.q;
+}
+
 /// At most so many of them, evenly, the last one among them.
 std::vector<EntityConfiguration> thinned(const std::vector<EntityConfiguration>& all, std::size_t most) {
   if (all.size() <= most) return all;
@@ -86,6 +90,24 @@ std::optional<EntityConfiguration> WaySearch::freeStart(const EntityConfiguratio
   return std::nullopt;
 }
 
+/// From where it stands to a place from which a plan can begin: itself, one near by, or one where the hand has led it
+/// past; empty: there is none.
+std::vector<EntityConfiguration> WaySearch::startOf(const manipulation::PlanView& view) {
+  std::vector<EntityConfiguration> way{view.standing};
+  if (const auto near = freeStart(view.standing)) {
+    if (!isSamePlace(*near, view.standing)) way.push_back(*near);
+    return way;
+  }
+  for (std::size_t i = view.trail->size(); i-- > 0;) {
+    space_->setClearance(kTouching);
+    if (!space_->isFree(way.back(), (*view.trail)[i])) break;
+    way.push_back((*view.trail)[i]);
+    space_->setClearance(options_.clearance);
+    if (space_->isFree(way.back())) return way;
+  }
+  return {};
+}
+
 /// A place on the hand's own way, on from where it pushes.
 std::optional<Pose> WaySearch::passedByHand(const manipulation::PlanView& view, const EntityConfiguration& start) {
   if (view.push_W == dvec3(0.0)) return std::nullopt;
@@ -109,9 +131,13 @@ std::vector<EntityConfiguration> WaySearch::hintsFor(const manipulation::PlanVie
 }
 
 /// Poses of the moved frame; a robot's tool goes in arcs between waypoints.
-void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const Pose& X_TM, Found& found) const {
+void WaySearch::sample(Found& found) const {
+  const std::vector<EntityConfiguration>& waypoints = found.waypoints;
+  found.length = 0.0;
+  found.X_WM.clear();
+  found.joints.clear();
   const auto add = [&](const EntityConfiguration& at) {
-    const Pose X_WM = space_->toolAt(at) * X_TM;
+    const Pose X_WM = space_->toolAt(at) * found.X_TM;
     const double way = found.X_WM.empty() ? 0.0 : wayBetween(found.X_WM.back(), X_WM);
     if (!found.X_WM.empty() && way < 1e-6) {
       // The arm moves behind a tool at rest: it is to get there before the tool goes on.
@@ -124,7 +150,9 @@ void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const 
   };
   add(waypoints.front());
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    const double bound = space_->hasJoints() ? space_->pathBound(waypoints[i - 1], waypoints[i]) : 0.0;
+    // A solid's own frame goes straight, another one does not.
+    const bool arcs = space_->hasJoints() || wayBetween({}, found.X_TM) > 1e-6;
+    const double bound = arcs ? space_->pathBound(waypoints[i - 1], waypoints[i]) : 0.0;
     const int pieces = std::clamp(static_cast<int>(std::ceil(bound / kArcStep)), 1, 200);
     for (int k = 1; k <= pieces; ++k) {
       add(space_->between(waypoints[i - 1], waypoints[i], static_cast<double>(k) / pieces));
@@ -133,6 +161,36 @@ void WaySearch::sample(const std::vector<EntityConfiguration>& waypoints, const 
   if (found.X_WM.size() >= 2) return;
   found.X_WM.clear();
   found.joints.clear();
+}
+
+void WaySearch::join(Found& found, const manipulation::PlanView& now) {
+  /// Waypoints of the way that are tried, the farthest first. Half: more of it is gone twice; twice: twice the checks.
+  constexpr std::size_t kTried = 8;
+  const auto& way = found.waypoints;
+  if (found.X_WM.empty() || !space_ || isSamePlace(way.front(), now.standing)) return;
+  const auto onFrom = [&](std::size_t k) {
+    std::vector<EntityConfiguration> joined{now.standing};
+    joined.insert(joined.end(), way.begin() + static_cast<std::ptrdiff_t>(k), way.end());
+    return joined;
+  };
+  for (const double clearance : {options_.clearance, 0.5 * options_.clearance, kTouching}) {
+    space_->setClearance(clearance);
+    for (std::size_t k = std::min(way.size() - 1, kTried) + 1; k-- > 0;) {
+      if (!space_->isFree(now.standing, way[k])) continue;
+      found.waypoints = onFrom(k);
+      return sample(found);
+    }
+  }
+  const double spacing = 2.0 * wayBetween(toolOf(*space_, way.front()), toolOf(*space_, now.standing));
+  std::vector<EntityConfiguration> back{now.standing};
+  for (std::size_t i = now.trail->size(); i-- > 0;) {
+    const EntityConfiguration& at = (*now.trail)[i];
+    back.push_back(at);
+    if (wayBetween(toolOf(*space_, at), toolOf(*space_, way.front())) < spacing && space_->isFree(at, way.front())) break;
+  }
+  back.insert(back.end(), way.begin(), way.end());
+  found.waypoints = std::move(back);
+  sample(found);
 }
 
 WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::atomic<bool>* stop) {
@@ -151,20 +209,21 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   if (space_->hasJoints() && wayBetween({}, X_TM) > 1e-6)
     return fail(Failure::Kind::kStart,
                 Text("a robot can be planned for only while it is moved by its tool (TCP)"));
-  const auto start = freeStart(view.standing);
-  if (!start) return fail(Failure::Kind::kStart, Text("there is no room around the place where it is"));
+  found.X_TM = X_TM;
+  std::vector<EntityConfiguration> waypoints = startOf(view);
+  if (waypoints.empty()) return fail(Failure::Kind::kStart, Text("there is no room around the place where it is"));
   Problem problem;
   problem.scene = view.scene;
   problem.entity = view.entity;
   problem.placements = view.placements;
-  problem.start = *start;
+  problem.start = waypoints.back();
   problem.goal = options_.goal;
   problem.clearance = options_.clearance;
   problem.seed = options_.seed + searches_;
   problem.most_checks = options_.most_checks;
   problem.time_limit_s = options_.in_virtual_time ? kNoLimit : options_.most_seconds;
   problem.stop = stop;
-  if (const auto passed = passedByHand(view, *start)) problem.through = {*passed};
+  if (const auto passed = passedByHand(view, waypoints.back())) problem.through = {*passed};
   auto planned = plan(problem, *space_);
   const auto fails = [&] {
     return planned && !planned->plan && planned->failure->kind != Failure::Kind::kCancelled;
@@ -187,9 +246,10 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   if (!planned) return fail(Failure::Kind::kStart, planned.error().text());
   found.result = std::move(*planned);
   if (!found.result.plan) return found;
-  std::vector<EntityConfiguration> waypoints = found.result.plan->waypoints;
-  waypoints.insert(waypoints.begin(), view.standing);
-  sample(waypoints, X_TM, found);
+  const std::vector<EntityConfiguration>& planned_way = found.result.plan->waypoints;
+  waypoints.insert(waypoints.end(), planned_way.begin() + 1, planned_way.end());
+  found.waypoints = std::move(waypoints);
+  sample(found);
   return found;
 }
 

@@ -25,9 +25,14 @@ class WaySearch {
     std::vector<std::vector<double>> joints;  ///< As PlannedWay::joints.
     double length = 0.0;        ///< m, with 0.1 m a radian.
     std::uint64_t answers = 0;  ///< As PlannedWay::answers.
+    std::vector<EntityConfiguration> waypoints;  ///< Of it, from where the entity stood; straight between.
+    Pose X_TM;                                   ///< The moved frame in the tool's (of a solid: its own) frame.
   };
   /// `stop` ends it early, without a way.
   Found find(const manipulation::PlanView& view, const std::atomic<bool>* stop);
+
+  /// Lets a way begin where the entity is by now: straight onto it as far on as that is free, or back along the trail.
+  void join(Found& found, const manipulation::PlanView& now);
 
   /// Of the space that was made last; null before the first search.
   const FreeSpace* space() const { return space_ ? &*space_ : nullptr; }
@@ -35,9 +40,10 @@ class WaySearch {
  private:
   Expected<void> prepare(const manipulation::PlanView& view);
   std::optional<EntityConfiguration> freeStart(const EntityConfiguration& at);
+  std::vector<EntityConfiguration> startOf(const manipulation::PlanView& view);
   std::optional<Pose> passedByHand(const manipulation::PlanView& view, const EntityConfiguration& start);
   std::vector<EntityConfiguration> hintsFor(const manipulation::PlanView& view) const;
-  void sample(const std::vector<EntityConfiguration>& waypoints, const Pose& X_TM, Found& found) const;
+  void sample(Found& found) const;
 
   const LiveOptions options_;
   const config::Configuration configuration_;

@@ -26,6 +26,8 @@ class PathProgress {
   /// 4 mm (or 10 % of the length, if that is less). A hand settles when it lets go, which nobody is asked to repeat.
   double share() const { return arrival_ > 0.0 ? std::min(1.0, way_ / arrival_) : 1.0; }
   void restart() { way_ = 0.0; }
+  /// Goes to a place, limited to the path.
+  void setWay(double way) { way_ = std::clamp(way, 0.0, length()); }
 
   /// Takes the trainee's pose and searches for the nearest place within `reach` (m of path length) of the last one.
   void follow(const Pose& X_WT, double reach = 0.03);

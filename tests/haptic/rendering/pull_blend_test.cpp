@@ -70,5 +70,25 @@ TEST(PullBlend, ARendererWhoseSetsPullElsewhereHasNoSteps) {
   EXPECT_GT(most, 1.0) << "something was felt";
 }
 
+/// A hand that bounces off a stop: the rest of the force changes by 0.11 N/ms for 10 ms, along the pull and against it.
+TEST(PullBlend, GivesWayWhereTheRestChangesFast) {
+  for (const double sign : {1.0, -1.0}) {
+    PullBlend blend;
+    const dvec3 pull(2.0, 0.0, 0.0), rest(sign * 0.11, 0.0, 0.0);
+    for (int i = 0; i < 2000; ++i) blend.tick(pull, i == 0, 1e-3);
+    dvec3 before = blend.tick(pull, false, 1e-3);
+    for (int i = 0; i < 10; ++i) {
+      const dvec3 now = blend.tick(pull, false, 1e-3, rest);
+      EXPECT_LE(glm::length(rest + now - before), 0.10) << i;
+      before = now;
+    }
+    EXPECT_LE(glm::distance(before, pull), 0.3 + 1e-12);
+    for (int i = 0; i < 1000; ++i) before = blend.tick(pull, false, 1e-3);
+    EXPECT_LT(glm::distance(before, pull), 1e-6) << "it comes back";
+  }
+  PullBlend none;
+  EXPECT_EQ(none.tick(dvec3(0.0), false, 1e-3, {0.5, 0.0, 0.0}), dvec3(0.0)) << "what does not pull does not push";
+}
+
 }  // namespace
 }  // namespace hapticell::haptic

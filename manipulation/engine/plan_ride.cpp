@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/engine/plan_ride.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hapticell::manipulation {
+
+namespace {
+
+/// m/s of hand, m/s of the cell: how fast the entity is moved along the way or back to it at most. Half: slow hands
+/// only; twice: changes of plan are seen as leaps.
+constexpr double kRideSpeed = 0.15, kRideSpeedOfCell = 1.0;
+/// m/s of hand in contact: 0.03 N/ms on a coupling of 1 N/mm, a third of M1's bound. Half: leaves contacts slowly;
+/// twice: with the hand's own motion above the bound (ChangingPlan).
+constexpr double kPressedSpeed = 0.03;
+/// rad/s that a solid turns, as a calm wrist. Half: turning takes longest; twice: surfaces at 0.1 m move by 4 mm
+/// between two sets.
+constexpr double kRideTurn = 1.0;
+/// rad/s or m/s of a joint: of the 2 to 3 rad/s of robots. Half: arms are led slowly; twice: as fast as they are.
+constexpr double kRideJoint = 2.0;
+/// rad (or m of a joint), and m of a solid: as far off the way, the way does not go on. Half: waits for rounding; twice:
+/// corners are cut by more than a clearance of 5 mm at 0.5 m.
+constexpr double kOff = 0.01, kOffSolid = 0.5e-3;
+/// Halvings of a step of the way that the entity cannot make in time. Half: waits before fast joints; twice: 1 um.
+constexpr int kHalvings = 6;
+/// s that something keeps it off the way until it strays. Half: a brush counts; twice: it is stuck for half a second.
+constexpr double kHeldUp = 0.2;
+/// m of way over which its direction is taken; twice as much again where it only turns. Half: rounding; twice: corners
+/// are cut.
+constexpr double kAlong = 0.002;
+/// m of the way of hand that is looked at for the nearest place, and m of the cell at most. Half of either: progress is
+/// lost where the hand is fast; twice: ways that come back are taken for the way there.
+constexpr double kNearReach = 0.03, kNearestOfCell = 0.05;
+/// Looks for it, each in a quarter of the last one's reach: to 0.2 mm. Half: coarse; twice: no change seen.
+constexpr int kLooksNearer = 3;
+
+/// The entity's configuration at a place of the way.
+EntityConfiguration configurationAt(const HeldEntity& held, const PlannedWay& way,
+                                    const trajectory::PathProgress& progress, double place) {
+  EntityConfiguration at = held.accepted();
+  if (way.joints.empty()) {
+    at.X_WE = progress.expertAt(place) * held.movedFrame().inverse() * at.X_WE;
+    return at;
+  }
+  const double index = std::clamp(progress.timeAt(place), 0.0, static_cast<double>(way.joints.size() - 1));
+  const auto before = static_cast<std::size_t>(index), after = std::min(before + 1, way.joints.size() - 1);
+  at.joints = way.joints[before];
+  for (std::size_t i = 0; i < at.joints.size(); ++i)
+    at.joints[i] += (index - static_cast<double>(before)) * (way.joints[after][i] - at.joints[i]);
+  return at;
+}
+
+double farthestJoint(const EntityConfiguration& from, const EntityConfiguration& to) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < from.joints.size() && i < to.joints.size(); ++i)
+    most = std::max(most, std::abs(to.joints[i] - from.joints[i]));
+  return most;
+}
+
+/// s that the entity needs to get there, at `speed` (m/s) of its moved frame.
+double timeTo(const HeldEntity& held, const EntityConfiguration& to, double speed) {
+  const EntityConfiguration& from = held.accepted();
+  const Twist way = difference(held.manipulator().movedFrame(to), held.movedFrame());
+  const double moves = std::max(held.manipulator().leastTime(from, to).seconds, glm::length(way.linear) / speed);
+  if (from.joints.empty()) return std::max(moves, glm::length(way.angular) / kRideTurn);
+  return std::max(moves, farthestJoint(from, to) / kRideJoint);
+}
+
+bool isOff(const HeldEntity& held, const EntityConfiguration& wanted) {
+  const EntityConfiguration& at = held.accepted();
+  if (!at.joints.empty()) return farthestJoint(at, wanted) > kOff;
+  const Twist off = difference(wanted.X_WE, at.X_WE);
+  return glm::length(off.linear) > kOffSolid || glm::length(off.angular) > kOff;
+}
+
+/// m of the way on (or back) to where the hand is, at most `most`.
+double stepTo(const dvec3& p_WH, const trajectory::PathProgress& progress, double most) {
+  const double here = progress.way(), left = progress.length() - here;
+  const dvec3 direction = directionOf(progress, here);
+  if (direction == dvec3(0.0)) return std::min(left, most);
+  const double along = glm::dot(p_WH - progress.expertAt(here).p, direction);
+  // At its end the way has no more place for a hand to be ahead of.
+  if (left < 2.0 * most && along > -most) return std::min(left, most);
+  return std::clamp(along, -std::min(here, most), std::min(left, most));
+}
+
+}  // namespace
+
+dvec3 directionOf(const trajectory::PathProgress& progress, double way) {
+  for (double reach = kAlong; reach < progress.length() + kAlong; reach *= 2.0) {
+    const dvec3 along = progress.expertAt(std::min(progress.length(), way + reach)).p -
+                        progress.expertAt(std::max(0.0, way - reach)).p;
+    const double length = glm::length(along);
+    if (length > 0.1 * kAlong) return along / length;
+  }
+  return dvec3(0.0);
+}
+
+bool PlanRide::carries(const HeldEntity& held, const PlannedWay& way, const MotionMapping& mapping) {
+  if (!mapping.translatesFreely() || !mapping.rotates()) return false;
+  const std::size_t joints = held.accepted().joints.size();
+  if (joints == 0) return way.joints.empty();
+  return way.joints.size() == way.X_WM.size() && way.joints.front().size() == joints;
+}
+
+bool PlanRide::strays() const {
+  return held_up_s_ > kHeldUp;
+}
+
+void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const PlannedWay& way,
+                    trajectory::PathProgress& progress, const Step& now) {
+  const MotionMapping& mapping = hand.mapping();
+  const double scale = mapping.scale();
+  const double speed = now.pressed ? kPressedSpeed * scale : std::min(kRideSpeed * scale, kRideSpeedOfCell);
+  const Pose X_WBefore = held.movedFrame(), X_WHand = mapping.toCell(X_DP);
+  const bool by_hand = now.authority < 1.0;
+  double reach = std::min(kNearReach * scale, kNearestOfCell);
+  for (int i = 0; by_hand && i < kLooksNearer; ++i, reach *= 0.25) progress.follow(X_WBefore, reach);
+  EntityConfiguration wanted = configurationAt(held, way, progress, progress.way());
+  const bool off = isOff(held, wanted);
+  if (!off) {
+    double step = stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, speed * now.dt);
+    const double from = progress.way();
+    for (int i = 0;; ++i, step *= 0.5) {
+      wanted = configurationAt(held, way, progress, from + step);
+      if (i == kHalvings || timeTo(held, wanted, speed) <= now.dt) break;
+    }
+    progress.setWay(from + step);
+  }
+  const double needed = timeTo(held, wanted, speed), time = now.authority * now.dt;
+  const bool blocked =
+      needed > 0.0 &&
+      held.goTo(needed <= time ? wanted : held.manipulator().between(held.accepted(), wanted, time / needed)).blocked;
+  held_up_s_ = blocked || (off && now.pressed) ? held_up_s_ + now.dt : 0.0;
+  // The anchor follows, less what the hand's own motion is to move. A hand that presses is let go of slowly.
+  const Pose X_WM = held.movedFrame();
+  const dvec3 all_W = X_WM.p + (1.0 - now.authority) * (X_WHand.p - X_WBefore.p) - X_WHand.p;
+  const dvec3 way_W = now.pressed ? shortenedTo(all_W, speed * now.dt) : all_W;
+  const dvec3 turned = rotationVector(X_WHand.q * glm::conjugate(X_WBefore.q));
+  const dquat q_Wanted = quaternionFromRotationVector((1.0 - now.authority) * turned) * X_WM.q;
+  shift_W_ -= way_W;
+  hand.shift(way_W);
+  hand.turn(q_Wanted * glm::conjugate(X_WHand.q), X_DP);
+}
+
+}  // namespace hapticell::manipulation
