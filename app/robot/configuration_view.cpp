@@ -149,7 +149,9 @@ ConfigurationView::ConfigurationView(RobotContext& context, MotionWorker& worker
   ask_.setSingleShot(true);
   connect(&ask_, &QTimer::timeout, this, &ConfigurationView::askAgain);
   const auto later = [this] {
-    if (context_.robot() && context_.robot()->joints() != asked_) showStale();
+    const workcell::Entity* robot = context_.robot();
+    if ((robot ? robot->id : 0) != asked_robot_) show({});  // What is listed is of another robot, or of one that is gone.
+    if (robot && robot->joints() != asked_) showStale();
     ask_.start(kAskMilliseconds);
   };
   connect(&context_, &RobotContext::robotChanged, this, later);
@@ -181,7 +183,11 @@ void ConfigurationView::askAgain() {
   if (!robot || !isVisible() || !context_.inverse()) return show({});
   if (mover_.isOpen() || mover_.isBusy() || context_.isHeld()) return ask_.start(kAskMilliseconds);
   worker_.listSolutions(*robot, robot->joints(),
-                        [this](std::vector<kinematics::ListedSolution> list) { show(std::move(list)); });
+                        [this, id = robot->id, joints = robot->joints()](std::vector<kinematics::ListedSolution> list) {
+                          // The robot may have been deleted or moved, or another one been selected: it is asked again.
+                          const workcell::Entity* now = context_.robot();
+                          if (now && now->id == id && now->joints() == joints) show(std::move(list));
+                        });
 }
 
 /// The robot stands elsewhere than the list says: greyed until the next one is there.
@@ -199,6 +205,7 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   if (solutions.size() > kMost) solutions.resize(kMost);
   const std::vector<double> chosen = keep_;
   hovered_ = -1;
+  asked_robot_ = robot ? robot->id : 0;
   asked_ = robot ? robot->joints() : std::vector<double>{};
   table_->setEnabled(true);
   static const char* const kMakers[]{"", "KUKA", "ABB", "FANUC"};

@@ -50,6 +50,7 @@ class ConfigurationView : public QWidget {
   QPushButton* take_;
   QTimer ask_;
   int hovered_ = -1;
+  workcell::EntityId asked_robot_ = 0;  ///< That the list is of.
   std::vector<double> asked_, keep_;  ///< Joints that the list is for; the chosen solution.
 };
 

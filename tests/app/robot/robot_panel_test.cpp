@@ -48,6 +48,33 @@ TEST(RobotPanel, ComesByItselfWhenARobotIsChosen) {
   EXPECT_EQ(page.words("labelRobot").toStdString(), page.selected()->name);
 }
 
+TEST(RobotPanel, TheConfigurationsOfAnotherRobotAreNotListed) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  auto* model = checkedList(page, 4);
+  EXPECT_GE(model->rowCount(), 4);
+  page.addRobot("ur5e");
+  EXPECT_TRUE(model->rowCount() == 0 || model->rowOf(page.joints()) >= 0) << "none until its own are known";
+  checkedList(page, 4);
+}
+
+/// The list of configurations is computed beside the window; its robot may be gone when it comes. That crashed.
+TEST(RobotPanel, ARobotMayBeGoneBeforeItsConfigurationsAreListed) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  checkedList(page, 4);
+  for (int rounds = 0; rounds < 12; ++rounds) {
+    page.trigger("actionUndo");
+    EXPECT_TRUE(page.document().document().state().entities.empty());
+    RobotPage::until([] { return false; }, 5);
+    page.trigger("actionRedo");
+    page.window().selection().set(page.document().document().state().entities.back()->id);
+    // Asked after 120 ms: in some round the answer is on its way when the robot goes.
+    RobotPage::until([] { return false; }, 100 + 4 * rounds);
+  }
+  checkedList(page, 4);
+}
+
 TEST(RobotPanel, AJointIsSteppedTypedAndStopsAtItsLimit) {
   RobotPage page;
   page.addRobot("kuka_kr16_2");
