@@ -12,6 +12,7 @@
 #include "haptic/rendering/proxy_rows.h"
 #include "manipulation/engine/hand_trail.h"
 #include "manipulation/engine/manipulation_engine.h"
+#include "manipulation/engine/plan_ride.h"
 #include "tests/manipulation/session/hand_link.h"
 #include "tests/manipulation/session/test_cells.h"
 
@@ -171,6 +172,30 @@ TEST_F(FeltPlanTest, TurnsTheEntityWithTheWay) {
   engine.apply(command::SetPlan{nullptr, 0.0});
   stay(0.2, {0.02, 0.0, 0.0});
   EXPECT_NEAR(engine.placement(2).X_WE.p.x, start.p.x + 0.02, 1e-6);
+}
+
+/// The table is in the way, which the planner did not know: the entity stops at it, and the planner is told.
+TEST_F(FeltPlanTest, TellsThePlannerWhatKeepsTheEntityOffItsWay) {
+  plans->give({start, at({0.0, 0.0, -0.5})});
+  stay(0.3, {});
+  EXPECT_FALSE(plans->seen.strayed);
+  for (int i = 0; i < 150; ++i) stay(0.01, {0.0, 0.0, -0.001 * i});
+  EXPECT_TRUE(plans->seen.strayed);
+  EXPECT_GT(engine.placement(2).X_WE.p.z, start.p.z - 0.1 - 1e-4) << "it does not enter the table";
+}
+
+TEST(PlanRide, GoesTheWaysDirection) {
+  const auto along = [](const std::vector<Pose>& X_WM) {
+    trajectory::Trajectory way;
+    for (const Pose& X : X_WM) way.addFrame({static_cast<double>(way.size()), X});
+    return trajectory::PathProgress(way);
+  };
+  const auto bent = along({{}, Pose::translation({0.1, 0, 0}), Pose::translation({0.1, 0.1, 0})});
+  EXPECT_LT(glm::length(directionOf(bent, 0.05) - dvec3(1, 0, 0)), 1e-12);
+  EXPECT_LT(glm::length(directionOf(bent, 0.15) - dvec3(0, 1, 0)), 1e-12);
+  EXPECT_LT(glm::length(directionOf(bent, 0.2) - dvec3(0, 1, 0)), 1e-12) << "at its end, the last one";
+  const auto turns = along({{}, {{0, 0, 0}, quaternionFromRotationVector({0, 0, 1.0})}});
+  EXPECT_EQ(directionOf(turns, 0.05), dvec3(0.0));
 }
 
 TEST_F(FeltPlanTest, RemembersTheHandsWay) {
