@@ -31,7 +31,7 @@ DescriptionSection::DescriptionSection(Host& host, const Ros2Network& network, c
   topic_ = new TopicChoice("choiceRos2Description", topics, "std_msgs::msg::dds_::String_", "/robot_description");
   topic_->setToolTip(tr("Topic on which another program publishes the robot as URDF. Default: /robot_description"));
   addRow(section, tr("Description"), topic_);
-  import_ = makeButton("buttonRos2Import", tr("Import …"),
+  import_ = makeButton("buttonRos2Import", tr("Import…"),
                        tr("Save the description as a URDF file, and add the robot to the cell"));
   section.addWidget(import_);
   line_ = makeLive(3, TextRole::kSecond, true);
@@ -58,7 +58,7 @@ void DescriptionSection::ask() {
 void DescriptionSection::importTo(const QString& path) {
   if (process_.isRunning()) return;
   path_ = path;
-  says_ = tr("Waiting for %1 …").arg(topic_->topic());
+  says_ = tr("Waiting for %1…").arg(topic_->topic());
   QJsonObject job = network_.job("listen");
   job["description"] = path;
   job["description_topic"] = topic_->topic();

@@ -48,7 +48,7 @@ MotionSection::MotionSection(Host& host, const Ros2Network& network, QWidget* pa
   speed_->setValue(250.0);
   speed_->setToolTip(tr("Greatest speed of the tool. A faster motion is slowed as a whole. Default: 250 mm/s"));
   addRow(section, tr("Tool speed"), speed_);
-  send_ = makeButton("buttonRos2Send", tr("Check and send …"), tr("Check the motion in the cell, then ask before the robot moves"));
+  send_ = makeButton("buttonRos2Send", tr("Check and send…"), tr("Check the motion in the cell, then ask before the robot moves"));
   stop_ = makeButton("buttonRos2Stop", tr("Stop the robot"));
   section.addWidget(sideBySide({send_, stop_}));
   line_ = makeLive(4, TextRole::kSecond, true);
@@ -84,7 +84,7 @@ void MotionSection::check() {
   job_["action"] = action.startsWith('/') ? action : '/' + action;
   job_["tool_speed"] = 1e-3 * speed_->value();
   job_["progress"] = true;
-  says_ = tr("Checking the motion …");
+  says_ = tr("Checking the motion…");
   process_.start(job_);
   show();
 }
@@ -113,7 +113,7 @@ void MotionSection::ask(const QJsonObject& preview) {
     says_ = tr("Not sent.");
     if (box->clickedButton() == move) {
       job_["confirmation"] = confirmation;
-      says_ = tr("Looking for the controller and the robot …");
+      says_ = tr("Looking for the controller and the robot…");
       process_.start(job_);
     }
     show();

@@ -184,7 +184,7 @@ void RobotLinkSection::show() {
   if (!problem_.isEmpty()) return line_->setText(problem_);
   if (robots.isEmpty()) return line_->setText(tr("The cell has no robot."));
   if (!is_on) return line_->setText(tr("Off. Nothing is published or received."));
-  line_->setText(figures_.isEmpty() ? tr("Starting …") : figures_);
+  line_->setText(figures_.isEmpty() ? tr("Starting…") : figures_);
 }
 
 }  // namespace hapticell::app

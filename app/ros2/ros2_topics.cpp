@@ -93,7 +93,7 @@ QStringList Ros2Topics::publishedOf(const QString& type) const {
 
 void Ros2Topics::show() {
   find_->setEnabled(!process_.isRunning());
-  if (process_.isRunning()) return line_->setText(tr("Looking for programs of ROS 2 …"));
+  if (process_.isRunning()) return line_->setText(tr("Looking for programs of ROS 2…"));
   if (!problem_.isEmpty()) return line_->setText(problem_);
   if (!topics_.isEmpty()) return line_->setText(tr("Topics: %1").arg(topics_.size()));
   line_->setText(asked_ ? tr("No topics were found. Check the domain and the network.")

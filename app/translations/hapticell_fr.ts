@@ -3699,8 +3699,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez ROS_DOMAIN_ID des deux côtés, et que le réseau laisse passer le multicast.</translation>
     </message>
     <message>
-        <source>Check and send …</source>
-        <translation>Vérifier et envoyer …</translation>
+        <source>Check and send…</source>
+        <translation>Vérifier et envoyer…</translation>
     </message>
     <message>
         <source>Check device</source>
@@ -3807,8 +3807,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Examen du maillage</translation>
     </message>
     <message>
-        <source>Checking the motion …</source>
-        <translation>Vérification du mouvement …</translation>
+        <source>Checking the motion…</source>
+        <translation>Vérification du mouvement…</translation>
     </message>
     <message>
         <source>Checking the path…</source>
@@ -6007,10 +6007,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer — %1</translation>
     </message>
     <message>
-        <source>Import …</source>
-        <translation>Importer …</translation>
-    </message>
-    <message>
         <source>Imported motion</source>
         <translation>Mouvement importé</translation>
     </message>
@@ -6627,12 +6623,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chercher pendant trois secondes les programmes ROS 2 du réseau</translation>
     </message>
     <message>
-        <source>Looking for programs of ROS 2 …</source>
-        <translation>Recherche de programmes ROS 2 …</translation>
+        <source>Looking for programs of ROS 2…</source>
+        <translation>Recherche de programmes ROS 2…</translation>
     </message>
     <message>
-        <source>Looking for the controller and the robot …</source>
-        <translation>Recherche du contrôleur et du robot …</translation>
+        <source>Looking for the controller and the robot…</source>
+        <translation>Recherche du contrôleur et du robot…</translation>
     </message>
     <message>
         <source>Looking for ways, hands and persons. The cell stays as it is.</source>
@@ -10231,8 +10227,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Commencer sans efforts</translation>
     </message>
     <message>
-        <source>Starting …</source>
-        <translation>Démarrage …</translation>
+        <source>Starting…</source>
+        <translation>Démarrage…</translation>
     </message>
     <message>
         <source>Starts</source>
@@ -11991,8 +11987,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Attendez sa fin, ou choisissez un autre fichier.</translation>
     </message>
     <message>
-        <source>Waiting for %1 …</source>
-        <translation>Attente de %1 …</translation>
+        <source>Waiting for %1…</source>
+        <translation>Attente de %1…</translation>
     </message>
     <message>
         <source>Waiting for the haptic server</source>
