@@ -237,7 +237,7 @@ void AccessPanel::takeAnswer() {
 void AccessPanel::refresh() {
   const access::AccessAnswer* answer = job_.answer();
   const bool busy = job_.isBusy();
-  ask_->setText(busy ? tr("Stop") : tr("Find the way out"));
+  ask_->setText(busy ? tr("Stop now") : tr("Find the way out"));
   ask_->setEnabled(busy || !part_->text().isEmpty());
   bar_->setValue(busy ? static_cast<int>(1000 * job_.progress()) : 0);
   report_->setEnabled(answer != nullptr && !busy);

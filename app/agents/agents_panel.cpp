@@ -131,7 +131,7 @@ void AgentsPanel::addRun(QVBoxLayout& column) {
   on_.start->setProperty("main", true);
   on_.pause = button("buttonAgentsPause", tr("Pause"), &AgentsPanel::pause);
   on_.step = button("buttonAgentsStep", tr("Step"), &AgentsPanel::stepOnce);
-  on_.stop = button("buttonAgentsStop", tr("Stop"), &AgentsPanel::stop);
+  on_.stop = button("buttonAgentsStop", tr("Stop now"), &AgentsPanel::stop);
   section.addWidget(sideBySide({on_.start, on_.pause}));
   section.addWidget(sideBySide({on_.step, on_.stop}));
   on_.figures = makeLive(1, TextRole::kSecond);

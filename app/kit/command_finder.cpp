@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/kit/command_finder.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -32,6 +34,11 @@ int score(const QString& typed, const Command& command) {
   // letters apart (100). Half: the same order; twice: before such names.
   constexpr int kWordsApart = 400;
   return in_all ? std::max(of_name, kWordsApart) : of_name;
+}
+
+/// A button or a field: of names that fit alike, commands and panels come before what panels hold.
+bool isInsidePanel(const Command& command) {
+  return !qobject_cast<const QAction*>(command.target.data()) && !qobject_cast<const QDockWidget*>(command.target.data());
 }
 
 }  // namespace
@@ -101,7 +108,9 @@ void CommandFinder::list() {
     if (found > 0 && seen.insert({command.words, command.where}).second) rows.push_back({found, command});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.score != b.score ? a.score > b.score : a.command.words < b.command.words;
+    if (a.score != b.score) return a.score > b.score;
+    if (isInsidePanel(a.command) != isInsidePanel(b.command)) return isInsidePanel(b.command);
+    return a.command.words < b.command.words;
   });
   found_->clear();
   targets_.clear();

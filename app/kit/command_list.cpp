@@ -44,6 +44,7 @@ bool canBeShown(const QWidget& widget, const QDockWidget& dock) {
 }
 
 bool isOfTitleBar(const QWidget& widget) {
+  if (widget.objectName().startsWith(QLatin1String("qt_dockwidget_"))) return true;  // Qt's own, of a dock without ours.
   for (const QWidget* at = &widget; at; at = at->parentWidget())
     if (qobject_cast<const DockTitleBar*>(at)) return true;
   return false;

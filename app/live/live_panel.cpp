@@ -77,7 +77,7 @@ void LivePanel::toggle() {
 
 void LivePanel::show() {
   const bool is_on = feed_.isOn();
-  start_->setText(is_on ? tr("Stop") : tr("Start"));
+  start_->setText(is_on ? tr("Stop now") : tr("Start"));
   who_->setEnabled(!is_on);
   port_->setEnabled(!is_on);
   copy_->setEnabled(is_on);

@@ -87,7 +87,7 @@ void PlanPanel::addRun(QVBoxLayout& column) {
   plan_ = new QPushButton(tr("Plan"));
   plan_->setObjectName("buttonPlanPath");
   plan_->setProperty("main", true);
-  stop_ = new QPushButton(tr("Stop"));
+  stop_ = new QPushButton(tr("Stop now"));
   stop_->setObjectName("buttonPlanStop");
   rows->addWidget(sideBySide({plan_, stop_}));
   bar_ = new QProgressBar;

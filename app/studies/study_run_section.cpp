@@ -30,7 +30,7 @@ StudyRunSection::StudyRunSection(Host& host, StudyDraft& draft, StudyRunner& run
   run_ = new QPushButton(tr("Run"));
   run_->setObjectName("buttonRunStudy");
   run_->setProperty("main", true);
-  stop_ = new QPushButton(tr("Stop"));
+  stop_ = new QPushButton(tr("Stop now"));
   stop_->setObjectName("buttonStopStudy");
   cluster_ = new QPushButton(tr("Cluster"));
   cluster_->setObjectName("buttonCluster");

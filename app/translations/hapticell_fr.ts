@@ -10283,6 +10283,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>S'arrêter avant</translation>
     </message>
     <message>
+        <source>Stop now</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
         <source>Stop planner</source>
         <translation>Arrêter le planificateur</translation>
     </message>

@@ -71,7 +71,7 @@ void ExerciseSection::show(const State& state) {
   const auto& exercise = *state.exercise;
   use_->setEnabled(!state.is_running && state.has_motion);
   show_me_->setEnabled(exercise && !state.is_running);
-  show_me_->setText(state.is_playing ? tr("Stop") : tr("Show me"));
+  show_me_->setText(state.is_playing ? tr("Stop now") : tr("Show me"));
   new_->setEnabled(!state.is_running);
   edit_->setEnabled(exercise && !state.is_running);
   text_->setText(exercise ? QString::fromStdString(exercise->text)

@@ -192,6 +192,26 @@ TEST(CommandFinder, FindsASettingByItsNameAndAPanelByItsTitle) {
   EXPECT_TRUE(page.find<QDockWidget>("dockHistory")->isVisible());
 }
 
+/// "path" begins a word of the command, of its panel and of a setting alike.
+TEST(CommandFinder, CommandsAndPanelsComeBeforeWhatPanelsHold) {
+  KeysPage page;
+  page.activate();
+  page.trigger("actionSettings");
+  page.trigger("actionFindCommand");
+  page.find<QLineEdit>("fieldCommand")->setText("path");
+  auto* list = page.find<QListWidget>("listCommands");
+  int of_panels = 0;
+  for (int row = 0; row < list->count(); ++row) {
+    const QString words = list->item(row)->text();
+    const bool is_setting = words.endsWith("  ·  Settings");
+    of_panels += is_setting ? 1 : 0;
+    EXPECT_FALSE(words.contains("Plan a path") && !words.contains("  ·  Plan a path") && of_panels > 0) << words.toStdString();
+    EXPECT_FALSE(words.startsWith("Float  ·  ") || words.startsWith("Close  ·  ")) << "Qt's own title bar";
+  }
+  EXPECT_GT(of_panels, 0);
+  EXPECT_FALSE(list->findItems("Plan a path", Qt::MatchStartsWith).isEmpty());
+}
+
 TEST(Keys, LettersApartAreFoundButWholeWordsFirst) {
   EXPECT_GT(CommandFinder::match("fit", "Fit all"), CommandFinder::match("fit", "Best fit"));
   EXPECT_GT(CommandFinder::match("fit", "Best fit"), CommandFinder::match("fit", "Profit"));
