@@ -25,6 +25,14 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
 }
 
+bool holdsSomething(pugi::xml_node library) {
+  const auto counts = [](pugi::xml_node one) {
+    const std::string_view name = one.name();
+    return one.type() == pugi::node_element && name != "asset" && name != "extra";
+  };
+  return std::any_of(library.begin(), library.end(), counts);
+}
+
 class ColladaTidier {
  public:
   ColladaTidier(pugi::xml_node root, ColladaText& result) : root_(root), result_(result), report_("Collada") {}
@@ -58,8 +66,11 @@ class ColladaTidier {
   void dropWhatPlaysNoPart() {
     cameras_ = dropSeveral("library_cameras", "camera");
     lights_ = dropSeveral("library_lights", "light");
+    // Exporters write these libraries even where they hold nothing.
     const auto meet = [&](const char* element) {
-      if (root_.child(element)) report_.meet(element, "the file");
+      for (const pugi::xml_node library : root_.children(element)) {
+        if (holdsSomething(library)) return static_cast<void>(report_.meet(element, {}));
+      }
     };
     for (const char* element : {"library_animations", "library_controllers", "library_kinematics_models",
                                 "library_physics_models", "library_articulated_systems"}) {

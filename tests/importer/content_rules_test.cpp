@@ -11,6 +11,7 @@
 #include "tests/support/test_data.h"
 #include "workcell/scenes/import_scene.h"
 #include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/scenes/whole_mesh.h"
 #include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
@@ -124,17 +125,28 @@ TEST(ContentRules, EveryExtensionOfGltfIsTreatedAsListed) {
 
 TEST(ContentRules, EveryLibraryOfColladaIsTreatedAsListed) {
   test::TemporaryFolder folder;
-  std::string libraries;
+  std::string libraries, empty;
   std::vector<std::string_view> reported;
   for (const ContentRule& rule : rulesOf("Collada").rules) {
     if (rule.treatment == Treatment::kUsed || rule.element.find('/') != std::string_view::npos) continue;
-    libraries += "<" + std::string(rule.element) + "/>";
+    const std::string name(rule.element);
+    libraries += "<" + name + "><one id='" + name + "'/></" + name + ">";
+    empty += "<" + name + "/><" + name + "><asset/><extra/></" + name + ">";
     if (rule.treatment == Treatment::kReported) reported.push_back(rule.element);
   }
   const auto scene = readScene(folder.write("a.dae", test::colladaBox(libraries)), {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
   EXPECT_EQ(scene->warnings.size(), reported.size());
   for (const std::string_view element : reported) EXPECT_TRUE(tells(scene->warnings, element)) << element;
+
+  const auto silent = readScene(folder.write("b.dae", test::colladaBox(empty)), {}, nullptr);
+  ASSERT_TRUE(silent) << silent.error().message();
+  EXPECT_TRUE(silent->warnings.empty()) << "exporters write empty libraries: " << english(silent->warnings);
+
+  Diagnostics notes;
+  ASSERT_TRUE(readWholeMesh(folder.path() / "a.dae", {}, notes));
+  EXPECT_EQ(notes.warnings.size(), reported.size());
+  for (const Text& note : notes.warnings) EXPECT_EQ(english(note).find("a.dae: library_"), 0u) << english(note);
 }
 
 }  // namespace

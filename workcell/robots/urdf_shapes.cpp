@@ -124,9 +124,8 @@ std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfSha
     return nullptr;
   }
   auto read = scaledMesh(source, found->path);
-  if (!read) {
-    unreadable_formats_.insert(format);
-    reportOnce(source.line, name, Text("%1 The shape is left out.", read.error().text()));
+  if (!read) {  // The file is at fault, not its format: no advice to convert it.
+    reportOnce(source.line, name, Text("the shape is left out: %1", read.error().text()));
     return nullptr;
   }
   file = found->path.string();

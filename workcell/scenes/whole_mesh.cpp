@@ -24,19 +24,19 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
   as_solids.merge = true;
   Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, as_solids, nullptr);
   HAPTICELL_TRY(scene);
-  for (const Text& warning : scene->warnings) diagnostics.warn(warning);
+  Diagnostics notes{scene->warnings};
   const std::vector<Pose> X_F = nodePoses(*scene);
   geometry::TriangleMesh whole;
   for (std::size_t k = 0; k < X_F.size(); ++k) {
     const int mesh = scene->nodes[k].mesh;
     if (mesh >= 0) geometry::append(whole, scene->meshes[static_cast<std::size_t>(mesh)], X_F[k]);
   }
-  if (!options.weld) return whole;
-  geometry::weld(whole, geometry::weldTolerance(whole));
-  Diagnostics notes;
-  FacingNote facing;
-  facing.look(whole);
-  facing.tell(notes);
+  if (options.weld) {
+    geometry::weld(whole, geometry::weldTolerance(whole));
+    FacingNote facing;
+    facing.look(whole);
+    facing.tell(notes);
+  }
   for (const Text& note : notes.warnings) diagnostics.warn(Text("%1: %2", file.filename().string(), note));
   return whole;
 }

@@ -325,7 +325,9 @@ void ContentReport::tell(std::vector<Text>& warnings) const {
   for (const auto& [element, places] : reported_) {
     const ContentRule* const known = rule(element);
     const Text meaning = known ? Text(known->meaning) : Text("not supported by this reader");
-    warnings.push_back(Text("%1 (%2) is left out: %3", element, meaning, placesListed(places)));
+    const bool has_place = std::any_of(places.begin(), places.end(), [](const Text& place) { return !place.empty(); });
+    warnings.push_back(has_place ? Text("%1 (%2) is left out: %3", element, meaning, placesListed(places))
+                                 : Text("%1 (%2) is left out", element, meaning));
   }
 }
 

@@ -46,7 +46,8 @@ class ContentReport {
 
   /// The rule for `element`; null if the table has none.
   const ContentRule* rule(std::string_view element) const;
-  /// Returns how an element is treated; if it is reported, stores `place` ("'arm'", "line 12"). An element missing in
+  /// Returns how an element is treated; if it is reported, stores `place` ("'arm'", "line 12"; empty: the whole
+  /// file). An element missing in
   /// the table is reported as unknown, unless its name has a colon: such elements are of other programs and noted.
   Treatment meet(std::string_view element, const Text& place);
   /// One warning for each element to report, with its first places; in the order of the names.
