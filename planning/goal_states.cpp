@@ -24,9 +24,11 @@ constexpr int kRegionSamples = 64;
 /// m: how far from a goal that is not free the nearest free place is looked for. Half the steps: coarser answers;
 /// twice: twice the time.
 constexpr double kNearestSteps[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
-/// Places on the straight way of a mannequin's hand at which the nearest that it reaches is looked for. Half: coarser
-/// answers; twice: twice the time.
-constexpr int kNearestShares = 20;
+/// Where on the straight way to the goal the nearest place that is reached is looked for: at this share of the one
+/// before, so often, and then by halves. Half the numbers: nothing is found near the start; coarser answers. Twice: twice
+/// the time.
+constexpr double kNearestShare = 0.8;
+constexpr int kNearestShares = 40, kNearestHalves = 6;
 /// rad or m: joints beyond a limit by rounding are on it. Half: numbers typed with six digits are refused; twice: 2e-6
 /// beyond passes.
 constexpr double kOnLimit = 1e-6;
@@ -46,6 +48,15 @@ Error goalError(const FreeSpace& space, Text found, Text expected) {
   return {.place = Text("the goal of '%1'", space.entity().name),
           .found = std::move(found),
           .expected = std::move(expected)};
+}
+
+Text beyondLimits(const kinematics::Joint& joint, double position) {
+  const auto shown = [&](double value) {
+    return joint.type == kinematics::JointType::kPrismatic ? Text("%1", Text::Length{value})
+                                                           : Text("%1", Text::Angle{value});
+  };
+  return Text("joint '%1' of the goal is at %2, outside its limits of %3 to %4", joint.name, shown(position),
+              shown(joint.lower), shown(joint.upper));
 }
 
 /// What a goal of one entity is made from.
@@ -132,7 +143,7 @@ class GoalFinder {
       const double inside = std::clamp(joints[i], joint.lower, joint.upper);
       if (std::abs(inside - joints[i]) > kOnLimit) {
         states.failure = Failure{.kind = Failure::Kind::kLimit,
-                                 .reason = Text("joint '%1' of the goal is outside its limits", joint.name),
+                                 .reason = beyondLimits(joint, joints[i]),
                                  .blocked_by = {},
                                  .nearest = {},
                                  .X_WT_nearest = {}};
@@ -224,18 +235,37 @@ class GoalFinder {
                          : Text("the goal is out of reach of the %1 of %2 without a step", hand, name);
     if (shortfall.nearest && space_.isFree(*shortfall.nearest)) {
       setNearest(failure, std::move(*shortfall.nearest), X_WT);
-      return failure;
-    }
-    // On the straight way from the hand to the goal: how far it gets.
-    const Pose X_WStart = space_.toolAt(start_);
-    for (int left = kNearestShares - 1; left > 0 && !failure.nearest; --left) {
-      for (EntityConfiguration& at : configurationsAt(interpolate(X_WStart, X_WT, 1.0 * left / kNearestShares))) {
-        if (!space_.isFree(at)) continue;
-        setNearest(failure, std::move(at), X_WT);
-        break;
-      }
+    } else {
+      setNearestOnTheWay(failure, X_WT);
     }
     return failure;
+  }
+
+  std::optional<EntityConfiguration> freeAt(const Pose& X_WT) {
+    for (EntityConfiguration& at : configurationsAt(X_WT)) {
+      if (space_.isFree(at)) return std::move(at);
+    }
+    return std::nullopt;
+  }
+
+  /// How far the tool or hand gets on the straight way to the goal: to a place that is free, and from there by halves.
+  void setNearestOnTheWay(Failure& failure, const Pose& X_WT) {
+    const Pose X_WStart = space_.toolAt(start_);
+    const auto atShare = [&](double share) { return freeAt(interpolate(X_WStart, X_WT, share)); };
+    double reached = 1.0, beyond = 1.0;
+    std::optional<EntityConfiguration> at;
+    for (int k = 0; k < kNearestShares && !at; ++k) {
+      beyond = reached;
+      reached *= kNearestShare;
+      at = atShare(reached);
+    }
+    for (int k = 0; k < kNearestHalves && at; ++k) {
+      const double middle = 0.5 * (reached + beyond);
+      auto farther = atShare(middle);
+      (farther ? reached : beyond) = middle;
+      if (farther) at = std::move(farther);
+    }
+    if (at) setNearest(failure, std::move(*at), X_WT);
   }
 
   /// No joints within the limits bring the tool there.
@@ -246,7 +276,11 @@ class GoalFinder {
     Failure failure;
     failure.kind = limited ? Failure::Kind::kLimit : Failure::Kind::kReach;
     EntityConfiguration at{start_.X_WE, solution.q};
-    if (solution.q.size() == start_.joints.size() && space_.isFree(at)) setNearest(failure, std::move(at), X_WT);
+    if (solution.q.size() == start_.joints.size() && space_.isFree(at)) {
+      setNearest(failure, std::move(at), X_WT);
+    } else {
+      setNearestOnTheWay(failure, X_WT);
+    }
     const std::string& name = space_.entity().name;
     failure.reason = limited ? Text("the limits of its joints keep the tool of %1 from the goal", name)
                              : Text("the goal is out of reach of %1", name);
@@ -266,9 +300,8 @@ class GoalFinder {
       for (int i = 0; i < 27; ++i) {
         const dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         if (way == dvec3(0.0)) continue;
-        for (EntityConfiguration& at : configurationsAt({X_WT.p + step * glm::normalize(way), X_WT.q})) {
-          if (!space_.isFree(at)) continue;
-          setNearest(failure, std::move(at), X_WT);
+        if (auto at = freeAt({X_WT.p + step * glm::normalize(way), X_WT.q})) {
+          setNearest(failure, std::move(*at), X_WT);
           return failure;
         }
       }

@@ -20,8 +20,11 @@ using trajectory::Trajectory;
 
 /// m and rad between two places that are measured. Half: twice the time; twice: a corner may hide 1 mm.
 constexpr double kFinePosition = 2e-3, kFineTurn = 4e-3;
-/// m: clearances are measured up to here.
-constexpr double kLook = 0.05;
+/// m: clearances are measured up to here; half: larger ones are not told apart; twice: some ms more.
+constexpr double kLook = 1.0;
+/// m: gaps of pairs that are left or reached are measured up to here. Half: a pair may count as clear too early; twice:
+/// more pairs are measured at each place.
+constexpr double kLeavingLook = 0.05;
 /// m, rad: ends are met so well: a hundred times the rounding of the timing's curves. Half: passes as well; twice: 2e-5
 /// off passes.
 constexpr double kEnds = 1e-5;
@@ -161,7 +164,7 @@ Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, con
   }
   Leaving leaving;
   if (plan.leaves_contact || is_figure) {
-    auto measured = measuredLeaving(fine, *columns, scene, *entity, {clearance, options.look}, configuration);
+    auto measured = measuredLeaving(fine, *columns, scene, *entity, {clearance, std::max(kLeavingLook, 2.0 * clearance)}, configuration);
     HAPTICELL_TRY(measured);
     leaving = std::move(*measured);
     if (!leaving.tight.empty() || is_figure) least = {leaving.least, leaving.t_least};

@@ -120,6 +120,33 @@ TEST(Plan, ExplainsWhatIsOutOfReach) {
   EXPECT_FALSE(result->failure->reason.empty());
 }
 
+/// Wherever the goal is, the nearest place is free and nearer than the start.
+TEST(Plan, ShowsTheNearestPlaceThatIsReached) {
+  Problem problem = robotProblem(test::robotCell());
+  auto space = FreeSpace::create(problem.scene, 1, {});
+  ASSERT_TRUE(space);
+  const Pose X_WStart = space->toolAt({problem.scene->find(1)->X_WE, problem.scene->find(1)->joints()});
+  for (const dvec3& p : {dvec3(3.0, 0.0, 0.5), dvec3(0.0, 9.0, 0.1), dvec3(0.2, 0.1, -2.0), dvec3(-30.0, 0.0, 0.0)}) {
+    problem.goal = goal::ToPose{{p, X_WStart.q}};
+    const auto result = plan(problem);
+    ASSERT_TRUE(result);
+    ASSERT_FALSE(result->isSolved());
+    ASSERT_TRUE(result->failure->nearest) << p.x;
+    EXPECT_TRUE(space->isFree(*result->failure->nearest)) << p.x;
+    EXPECT_LT(result->failure->nearest_distance, glm::length(p - X_WStart.p)) << p.x;
+  }
+}
+
+TEST(Plan, NamesTheJointThatIsBeyondItsLimits) {
+  Problem problem = robotProblem(test::robotCell());
+  std::get<goal::ToJoints>(problem.goal).joints[1] = 7.0;
+  const auto result = plan(problem);
+  ASSERT_TRUE(result);
+  ASSERT_FALSE(result->isSolved());
+  EXPECT_EQ(english(result->failure->reason),
+            "joint 'shoulder_lift_joint' of the goal is at 401.1 deg, outside its limits of -360.0 deg to 360.0 deg");
+}
+
 TEST(Plan, ExplainsAGoalThatIsBlocked) {
   Problem problem;
   problem.scene = test::boxWithBar(0.3);

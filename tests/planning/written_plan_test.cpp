@@ -126,6 +126,23 @@ TEST(WrittenPoses, MeasuresPlaceAndTurnBetweenFrames) {
   EXPECT_TRUE(passed.front().isKept() && passed.back().isKept());
 }
 
+/// It ended at 0.05 m: a motion far from everything was called near.
+TEST(WrittenPlan, SaysHowFarTheMotionKeepsAway) {
+  Made made;
+  made.problem.scene = manipulation::PreparedScene::prepare(
+      {test::loaded("box:0.2,0.2,0.2", 1, "part", {}),
+       test::loaded("box:0.2,0.2,0.2", 2, "block", Pose::translation({0.6, 0.0, 0.0}))},
+      {}, {});
+  made.problem.entity = 1;
+  made.problem.goal = goal::ToPose{Pose::translation({0.0, 0.1, 0.0})};
+  const auto space = FreeSpace::create(made.problem.scene, 1, {});
+  const auto result = plan(made.problem, *space);
+  ASSERT_TRUE(result && result->isSolved());
+  made.plan = *result->plan;
+  made.motion = *timedMotion(made.plan, *space);
+  EXPECT_NEAR(valueOf(measured(made, made.motion), "clearance"), 0.4, 1e-6);
+}
+
 /// Poses that are passed in their order are found on the file; in another order, or beside the way, they are missed.
 TEST(WrittenPlan, PassesItsPosesInTheirOrder) {
   Made made;
