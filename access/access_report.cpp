@@ -150,7 +150,9 @@ Text resultText(const std::string& part, const AccessAnswer& answer) {
   if (!answer.is_complete) return Text("Cancelled before everything was answered.");
   if (answer.removable) return Text("%1 can be taken out as the cell stands.", part);
   if (answer.order.empty()) return Text("No way out was found for %1.", part);
-  return Text("%1 can be taken out once %2 parts have gone.", part, answer.order.size() - 1);
+  const std::size_t before = answer.order.size() - 1;
+  return before == 1 ? Text("%1 can be taken out once %2 has gone.", part, answer.order.front().name)
+                     : Text("%1 can be taken out once %2 parts have gone.", part, before);
 }
 
 Text personText(const BodyAccess& person) {

@@ -153,6 +153,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 (%2) is left out</source>
+        <translation>%1 (%2) est ignoré</translation>
+    </message>
+    <message>
         <source>%1 (%2) is left out: %3</source>
         <translation>%1 (%2) est ignoré : %3</translation>
     </message>
@@ -207,10 +211,6 @@
     <message>
         <source>%1 N were commanded. If you felt nothing, check that the device is powered, its emergency stop released and calibrated.</source>
         <translation>%1 N ont été commandés. Si vous n'avez rien senti, vérifiez que le périphérique est sous tension, son arrêt d'urgence relâché, et étalonné.</translation>
-    </message>
-    <message>
-        <source>%1 The shape is left out.</source>
-        <translation>%1 La forme est omise.</translation>
     </message>
     <message>
         <source>%1 after packing, or different ones</source>
@@ -281,6 +281,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 can be taken out as the cell stands.</source>
         <translation>%1 peut être retiré, la cellule étant ce qu'elle est.</translation>
+    </message>
+    <message>
+        <source>%1 can be taken out once %2 has gone.</source>
+        <translation>%1 peut être sorti une fois %2 parti.</translation>
     </message>
     <message>
         <source>%1 can be taken out once %2 parts have gone.</source>
@@ -16423,8 +16427,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe '%1' cite le segment '%2', qui n'est pas dans le fichier</translation>
     </message>
     <message>
-        <source>joint '%1' of the goal is outside its limits</source>
-        <translation>l’articulation « %1 » du but est hors de ses limites</translation>
+        <source>joint '%1' of the goal is at %2, outside its limits of %3 to %4</source>
+        <translation>l'articulation '%1' du but est à %2, hors de ses limites de %3 à %4</translation>
     </message>
     <message>
         <source>joint '%1' of the robot is not at the first point of the motion</source>
@@ -20045,6 +20049,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the server stopped sending the state of the stylus</source>
         <translation>l'état du stylet n'arrive plus</translation>
+    </message>
+    <message>
+        <source>the shape is left out: %1</source>
+        <translation>la forme est omise : %1</translation>
     </message>
     <message>
         <source>the stance '%1'</source>

@@ -53,6 +53,9 @@ TEST(AccessAnswer, APartUnderAPlateThatScrewsHoldHasTheseFirst) {
   ASSERT_NE(answer.nearest(), nullptr);
   EXPECT_NEAR(answer.nearest()->least_m, 0.002, 1e-9);
   EXPECT_EQ(english(resultText("block", answer)), "block can be taken out once 5 parts have gone.");
+  AccessAnswer short_order = answer;
+  short_order.order.erase(short_order.order.begin(), short_order.order.begin() + 4);
+  EXPECT_EQ(english(resultText("block", short_order)), "block can be taken out once lid has gone.");
 }
 
 TEST(AccessAnswer, WithoutTheLidItGoesAtOnce) {
