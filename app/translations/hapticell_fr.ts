@@ -923,6 +923,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 dépasse de %2</translation>
     </message>
     <message>
+        <source>%1 pairs overlap: %2. Move them apart, or exclude them if the overlaps are intended.</source>
+        <translation>%1 paires se chevauchent : %2. Écartez-les, ou excluez-les si les chevauchements sont voulus.</translation>
+    </message>
+    <message>
         <source>%1 pairs touch at rest: %2. Exclude them from the check?</source>
         <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
@@ -2825,6 +2829,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A new workcell</source>
         <translation>Une nouvelle cellule</translation>
+    </message>
+    <message>
+        <source>A pair overlaps: %1. Move it apart, or exclude it if the overlap is intended.</source>
+        <translation>Une paire se chevauche : %1. Écartez-la, ou excluez-la si le chevauchement est voulu.</translation>
     </message>
     <message>
         <source>A person at a bench</source>
@@ -8165,6 +8173,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pairs and sets</source>
         <translation>Paires et jeux</translation>
+    </message>
+    <message>
+        <source>Pairs that overlap in the given cell, by up to %1, are checked: %2. If the overlap is intended, exclude them in the cell.</source>
+        <translation>Les paires qui se chevauchent dans la cellule donnée, jusqu'à %1, sont vérifiées : %2. Si le chevauchement est voulu, excluez-les dans la cellule.</translation>
     </message>
     <message>
         <source>Pairs that touch in the given cell are not checked: %1</source>

@@ -51,6 +51,7 @@ class Search {
     std::sort(candidates_.begin(), candidates_.end(), isShallower);
     FreeingShift result;
     result.by_winding = !query_.a().isClosed() || !query_.b().isClosed();
+    if (!candidates_.empty()) result.surface_depth = candidates_.front().depth;
     for (const Candidate& candidate : candidates_) {
       if (result.by_winding && isWoundAbout(shifted(candidate.depth, candidate.direction_W))) continue;
       result.found = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include "collision/queries/proximity_query.h"
 #include "geometry/shapes/pose.h"
 
@@ -10,6 +12,9 @@ namespace hapticell::collision {
 struct FreeingShift {
   bool found = false;       ///< False when they do not collide, or nothing tried frees them.
   double depth = 0.0;       ///< Metres: if A is moved this far along the direction, it is free by kFreeGap.
+  /// Metres: moved this far, along some direction, their surfaces are apart. Less than `depth` only where a mesh is open
+  /// and A may still be inside: a link without a bottom that stands on a table. Infinite when nothing tried does it.
+  double surface_depth = std::numeric_limits<double>::infinity();
   dvec3 direction_W{0.0};   ///< Unit.
   bool by_winding = false;  ///< One of the meshes is open: what is inside was judged by the winding number.
 };

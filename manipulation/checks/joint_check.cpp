@@ -8,6 +8,7 @@
 #include "kinematics/model/jacobian.h"
 #include "manipulation/holding/held_pairs.h"
 #include "manipulation/manipulators/manipulator_kinds.h"
+#include "manipulation/scene/rest_pairs.h"
 
 namespace hapticell::manipulation {
 
@@ -27,12 +28,6 @@ struct CheckedPair {
 /// m: nearer than this at rest counts as touching, as in collisionAt(). Half: rounding decides; twice: a pair 2 um apart
 /// is not checked.
 constexpr double kRestTouching = 1e-6;
-
-/// Joint positions at which a pair has to touch to touch everywhere. Half: a link that is in contact by chance may count
-/// as one that always is; twice: twice the time, which is small.
-constexpr int kTouchPlaces = 24;
-/// rad: joints without limits are tried up to here. Half, twice: as well.
-constexpr double kFullTurn = 6.28;
 
 bool isMoved(const kinematics::RobotModel& model, int link) {
   return model.closure != nullptr || !kinematics::variablesOfChain(model, link).empty();
@@ -150,21 +145,12 @@ JointCheck::JointCheck(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)
   }
 }
 
-/// At steps through the ranges of the joints; the roots are irrational, and so all are passed unevenly.
 bool JointCheck::touchesEverywhere(collision::PairIndex pair) {
   const workcell::Entity& form = plan_->model.form();
-  const kinematics::RobotModel& robot = *form.robot();
-  if (robot.closure != nullptr) return true;  // Its joints are not free to choose: what touches at rest is left out.
-  std::vector<double> joints = form.joints();
+  if (form.robot()->closure != nullptr) return true;  // What touches at rest is left out.
   bool touches = true;
-  for (int i = 1; i <= kTouchPlaces && touches; ++i) {
-    for (std::size_t v = 0; v < joints.size(); ++v) {
-      const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[v])];
-      const double lower = std::max(joint.lower, -kFullTurn), upper = std::min(joint.upper, kFullTurn);
-      const double step = std::hypot(1.0, static_cast<double>(v + 1));
-      joints[v] = lower + std::fmod(i * step, 1.0) * (upper - lower);
-    }
-    place(joints, scene_);
+  for (int i = 0; i < kTouchPlaces && touches; ++i) {
+    place(jointsAllOver(*form.robot(), i), scene_);
     touches = !scene_.distance(pair, kRestTouching).beyond_limit;
   }
   place(form.joints(), scene_);

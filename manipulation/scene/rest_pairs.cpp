@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <tuple>
 
+#include "collision/queries/freeing_shift.h"
 #include "collision/queries/proximity_query.h"
 #include "collision/trees/part_tree.h"
 #include "geometry/system/in_parallel.h"
@@ -20,7 +22,11 @@ using workcell::Entity;
 /// longer; twice: cells of a few large parts are searched by one.
 constexpr std::size_t kWorthAThread = 16;
 
+/// rad: joints without limits are tried up to here. Half, twice: as well.
+constexpr double kFullTurn = 6.28;
+
 struct PlacedPart {
+  const Entity* entity = nullptr;
   const ScenePart* part = nullptr;
   Pose X_WP;
   geometry::Bounds bounds_W;
@@ -31,7 +37,7 @@ std::vector<PlacedPart> placedParts(const PreparedScene& scene, workcell::Entity
   const Entity* entity = scene.find(id);
   for (const ScenePart& part : scene.partsOf(id)) {
     if (!part.mesh.collider || part.mesh.collider->isEmpty()) continue;
-    PlacedPart at{&part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints(), part.link), {}};
+    PlacedPart at{entity, &part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints(), part.link), {}};
     at.bounds_W = geometry::transformed(at.X_WP, part.mesh.collider->bounds());
     placed.push_back(std::move(at));
   }
@@ -53,6 +59,46 @@ std::vector<const Entity*> familyOf(const PreparedScene& scene, const Entity& en
     }
   }
   return family;
+}
+
+std::optional<PlacedPart> placedPart(const PreparedScene& scene, const std::string& entity, const std::string& part) {
+  const auto named = [](const std::string& name) { return [&name](const auto& one) { return one.name == name; }; };
+  const auto found = std::find_if(scene.entities().begin(), scene.entities().end(), named(entity));
+  if (found == scene.entities().end()) return std::nullopt;
+  for (PlacedPart& one : placedParts(scene, found->id)) {
+    if (one.part->name == part) return std::move(one);
+  }
+  return std::nullopt;
+}
+
+Pose poseAt(const PlacedPart& one, int place) {
+  const auto& robot = one.entity->robot();
+  if (!robot) return one.X_WP;
+  return PreparedScene::partPose(*one.entity, one.entity->X_WE, jointsAllOver(*robot, place), one.part->link);
+}
+
+/// True where no positions of the joints part them. Joints in closed loops are not free to choose.
+bool touchEverywhere(const PlacedPart& a, const PlacedPart& b, collision::ProximityQuery& query) {
+  const auto isLoop = [](const PlacedPart& one) { return one.entity->robot() && one.entity->robot()->closure; };
+  if (!a.entity->robot() && !b.entity->robot()) return false;
+  if (isLoop(a) || isLoop(b)) return false;
+  for (int i = 0; i < kTouchPlaces; ++i) {
+    if (!query.collides(poseAt(a, i), poseAt(b, i))) return false;
+  }
+  return true;
+}
+
+/// How deep they are in each other, m; 0 if no deeper than kTouchingDepth, or everywhere.
+double depthOf(const PlacedPart& a, const PlacedPart& b) {
+  // Out of the other's box, along the axis where that is shortest.
+  const dvec3 out = glm::min(a.bounds_W.max - b.bounds_W.min, b.bounds_W.max - a.bounds_W.min);
+  const double most = std::min({out.x, out.y, out.z});
+  if (most <= kTouchingDepth) return 0.0;
+  collision::ProximityQuery query(a.part->mesh.collider, b.part->mesh.collider);
+  if (!query.collides(a.X_WP, b.X_WP)) return 0.0;
+  // Of the surfaces: many links have no bottom, and what they stand on would count as inside.
+  const double depth = std::min(collision::freeingShift(query, a.X_WP, b.X_WP).surface_depth, most);
+  return depth <= kTouchingDepth || touchEverywhere(a, b, query) ? 0.0 : depth;
 }
 
 /// The nearest parts of two entities; nothing where none are nearer than `limit`, or none are checked.
@@ -150,6 +196,42 @@ std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, doubl
         {entities[i].name, parts[first].part->name, entities[j].name, parts[second].part->name, false, {}});
   }
   return rules;
+}
+
+std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i) {
+  std::vector<double> joints(robot.dof());
+  for (std::size_t v = 0; v < joints.size(); ++v) {
+    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[v])];
+    const double lower = std::max(joint.lower, -kFullTurn), upper = std::min(joint.upper, kFullTurn);
+    const double step = std::hypot(1.0, static_cast<double>(v + 1));  // Mostly irrational, so all are passed unevenly.
+    joints[v] = lower + std::fmod((i + 1) * step, 1.0) * (upper - lower);
+  }
+  return joints;
+}
+
+std::vector<DeepOverlap> takeDeepOverlaps(const PreparedScene& scene, std::vector<workcell::PairRule>& touching) {
+  std::vector<double> depths(touching.size());
+  std::atomic<std::size_t> next{0};
+  const auto ranges = geometry::rangesOf(touching.size(), kWorthAThread);
+  geometry::inRanges(touching.size(), ranges, [&](std::size_t, std::size_t, std::size_t) {
+    for (std::size_t k = next++; k < touching.size(); k = next++) {
+      const auto a = placedPart(scene, touching[k].first, touching[k].first_part);
+      const auto b = placedPart(scene, touching[k].second, touching[k].second_part);
+      if (a && b) depths[k] = depthOf(*a, *b);
+    }
+  });
+  std::vector<DeepOverlap> deep;
+  std::vector<workcell::PairRule> shallow;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    if (depths[k] > 0.0) {
+      deep.push_back({std::move(touching[k]), depths[k]});
+    } else {
+      shallow.push_back(std::move(touching[k]));
+    }
+  }
+  touching = std::move(shallow);
+  std::stable_sort(deep.begin(), deep.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  return deep;
 }
 
 }  // namespace hapticell::manipulation

@@ -20,4 +20,27 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
 /// changed here; the caller may pass the rules to workcell::SetPairRules. Any thread.
 std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, double tolerance = 2e-5);
 
+/// m: parts that are deeper in each other do not merely touch. As deep as a plan may leave contacts
+/// (LeavingRule in planning/problem.h). Half: press fits and rough triangles count as overlaps; twice: some gaps of joints hide in it.
+inline constexpr double kTouchingDepth = 1e-3;
+
+/// A pair that overlaps by more than kTouchingDepth.
+struct DeepOverlap {
+  workcell::PairRule rule;
+  double depth = 0.0;  ///< m, the shortest translation found that frees it.
+};
+
+/// Joint positions at which a pair has to touch to touch everywhere. Half: a link that is in contact by chance may count
+/// as one that always is; twice: twice the time, which is small.
+inline constexpr int kTouchPlaces = 24;
+
+/// The i-th (from 0) of joint positions that are spread all over the ranges of a robot without closed loops.
+std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i);
+
+/// Takes from `touching`, found by touchingAtRest() in the same scene, the pairs that overlap deeply: the deepest first.
+/// Whether they shall be excluded is a question of its own, as excluding them can hide a real collision. A link that
+/// overlaps whatever its joints are (one that turns about an axis in its foot) stays in `touching`. Some ms for each
+/// pair that is deep. Any thread.
+std::vector<DeepOverlap> takeDeepOverlaps(const PreparedScene& scene, std::vector<workcell::PairRule>& touching);
+
 }  // namespace hapticell::manipulation

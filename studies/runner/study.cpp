@@ -136,9 +136,22 @@ Expected<void> Study::prepareScene(manipulation::SceneService& scenes) {
   if (own == 0 || !inputs_.scene || !given)
     return makeError({.file = inputs_.document.cell.string(), .found = "an empty cell", .expected = "a cell with parts"});
   auto rules = manipulation::touchingAtRest(*given);
+  const auto words = [](const workcell::PairRule& rule) { return "'" + rule.first + "' with '" + rule.second + "'"; };
+  const auto deep = manipulation::takeDeepOverlaps(*given, rules);
+  if (!deep.empty()) {
+    const std::string pairs = listed(deep, [](const auto& one) {
+      const auto side = [](const std::string& entity, const std::string& part) {
+        return "'" + entity + (part.empty() ? "'" : "/" + part + "'");
+      };
+      return side(one.rule.first, one.rule.first_part) + " with " + side(one.rule.second, one.rule.second_part);
+    });
+    inputs_.notes.push_back(
+        Text("Pairs that overlap in the given cell, by up to %1, are checked: %2. If the overlap is intended, exclude "
+             "them in the cell.",
+             Text::Length{deep.front().depth}, pairs));
+  }
   if (rules.empty()) return {};
-  const std::string pairs =
-      listed(rules, [](const workcell::PairRule& rule) { return "'" + rule.first + "' with '" + rule.second + "'"; });
+  const std::string pairs = listed(rules, words);
   inputs_.notes.push_back(Text("Pairs that touch in the given cell are not checked: %1", pairs));
   HAPTICELL_TRY(inputs_.cell.execute(workcell::SetPairRules{std::move(rules)}));
   return {};

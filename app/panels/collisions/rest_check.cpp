@@ -14,7 +14,7 @@ struct RestCheck::Job {
   workcell::EntityId moved = 0;
   bool touching_wanted = false;
   std::vector<manipulation::PairState> distances;
-  std::vector<workcell::PairRule> touching;
+  RestCheck::Touching touching;
   std::atomic<bool> ready{false};
 };
 
@@ -42,7 +42,10 @@ void RestCheck::watch(const std::shared_ptr<const manipulation::PreparedScene>& 
   job_->touching_wanted = touching_wanted;
   QThreadPool::globalInstance()->start([job = job_] {
     if (job->moved != 0) job->distances = manipulation::pairsAtRest(*job->scene, job->moved, kMeasured);
-    if (job->touching_wanted) job->touching = manipulation::touchingAtRest(*job->scene);
+    if (job->touching_wanted) {
+      job->touching.pairs = manipulation::touchingAtRest(*job->scene);
+      job->touching.deep = manipulation::takeDeepOverlaps(*job->scene, job->touching.pairs);
+    }
     job->ready = true;
   });
 }
@@ -55,7 +58,7 @@ bool RestCheck::takeResults() {
   return true;
 }
 
-std::optional<std::vector<workcell::PairRule>> RestCheck::takeTouching() {
+std::optional<RestCheck::Touching> RestCheck::takeTouching() {
   auto found = std::move(touching_);
   touching_.reset();
   return found;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "manipulation/engine/scene_snapshot.h"
+#include "manipulation/scene/rest_pairs.h"
 #include "workcell/entity/entity.h"
 
 namespace hapticell::manipulation {
@@ -31,8 +32,13 @@ class RestCheck {
   bool takeResults();
   /// Distances of the entity that was asked for last; empty until they are measured.
   const std::vector<manipulation::PairState>& distances() const { return distances_; }
-  /// Pair rules that exclude what touches at rest, once for each finding; empty if there is nothing to ask about.
-  std::optional<std::vector<workcell::PairRule>> takeTouching();
+  /// Pair rules that exclude what touches at rest, and what overlaps deeply.
+  struct Touching {
+    std::vector<workcell::PairRule> pairs;
+    std::vector<manipulation::DeepOverlap> deep;
+  };
+  /// Once for each finding; empty if there is nothing to ask about.
+  std::optional<Touching> takeTouching();
   /// Makes the next watch() look for touching pairs again.
   void askAgain() { asked_entities_.reset(); }
   /// `scene` is not the one that was looked at last.
@@ -54,7 +60,7 @@ class RestCheck {
   workcell::EntityId measured_ = 0;
   std::vector<manipulation::PairState> distances_;
   std::optional<std::set<Standing>> asked_entities_;
-  std::optional<std::vector<workcell::PairRule>> touching_;
+  std::optional<Touching> touching_;
 };
 
 }  // namespace hapticell::app

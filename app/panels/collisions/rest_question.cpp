@@ -9,8 +9,49 @@
 #include "app/host/host.h"
 #include "app/kit/form.h"
 #include "app/style/icon.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
+
+namespace {
+
+QString namesOf(const workcell::PairRule& rule) {
+  const auto side = [](const std::string& entity, const std::string& part) {
+    const QString name = QString::fromStdString(entity);
+    return part.empty() ? name : name + QStringLiteral(" · ") + QString::fromStdString(part);
+  };
+  return side(rule.first, rule.first_part) + QStringLiteral(" – ") + side(rule.second, rule.second_part);
+}
+
+/// The first two, and how many more.
+QString shortList(const QStringList& names) {
+  const QString list = QStringList(names.mid(0, 2)).join(QStringLiteral(", "));
+  return names.size() <= 2 ? list : list + RestQuestion::tr(" and %1 more").arg(names.size() - 2);
+}
+
+QString touchText(const QStringList& names) {
+  if (names.size() == 1)
+    return RestQuestion::tr("1 pair touches at rest: %1. Exclude it from the check?").arg(names.front());
+  return RestQuestion::tr("%1 pairs touch at rest: %2. Exclude them from the check?")
+      .arg(names.size())
+      .arg(shortList(names));
+}
+
+QString overlapText(const QStringList& names) {
+  if (names.size() == 1)
+    return RestQuestion::tr("A pair overlaps: %1. Move it apart, or exclude it if the overlap is intended.")
+        .arg(names.front());
+  return RestQuestion::tr("%1 pairs overlap: %2. Move them apart, or exclude them if the overlaps are intended.")
+      .arg(names.size())
+      .arg(shortList(names));
+}
+
+void emphasize(QPushButton* button, bool is_main) {
+  button->setProperty("main", is_main);
+  button->update();
+}
+
+}  // namespace
 
 RestQuestion::RestQuestion(Host& host, QWidget* parent) : QFrame(parent), host_(host) {
   setObjectName("questionAtRest");
@@ -24,37 +65,43 @@ RestQuestion::RestQuestion(Host& host, QWidget* parent) : QFrame(parent), host_(
   text_->setWordWrap(true);
   leave_out_ = new QPushButton(tr("Exclude"));
   leave_out_->setObjectName("buttonLeaveOut");
-  leave_out_->setProperty("main", true);
-  auto* keep = new QPushButton(tr("Keep checking"));
-  keep->setObjectName("buttonKeepChecked");
+  keep_ = new QPushButton(tr("Keep checking"));
+  keep_->setObjectName("buttonKeepChecked");
   row->addWidget(mark);
   row->addWidget(text_, 1);
   row->addWidget(leave_out_);
-  row->addWidget(keep);
+  row->addWidget(keep_);
   hide();
   connect(leave_out_, &QPushButton::clicked, this, &RestQuestion::leaveOut);
-  connect(keep, &QPushButton::clicked, this, &QWidget::hide);
+  connect(keep_, &QPushButton::clicked, this, &RestQuestion::showNext);
 }
 
-void RestQuestion::ask(std::vector<workcell::PairRule> touching) {
-  touching_ = std::move(touching);
-  leave_out_->setEnabled(true);
-  setVisible(!touching_.empty());
-  if (touching_.empty()) return;
+void RestQuestion::ask(RestCheck::Touching found) {
+  left_ = std::move(found);
+  showNext();
+}
+
+void RestQuestion::showNext() {
+  const bool is_deep = left_.pairs.empty();
   QStringList names;
-  const auto side = [](const std::string& entity, const std::string& part) {
-    const QString name = QString::fromStdString(entity);
-    return part.empty() ? name : name + QStringLiteral(" · ") + QString::fromStdString(part);
-  };
-  for (const workcell::PairRule& rule : touching_) {
-    names << side(rule.first, rule.first_part) + QStringLiteral(" – ") + side(rule.second, rule.second_part);
+  asked_.clear();
+  if (is_deep) {
+    for (const manipulation::DeepOverlap& one : left_.deep) {
+      names << namesOf(one.rule) + QStringLiteral(" (%1)").arg(lengthText(one.depth));
+      asked_.push_back(one.rule);
+    }
+    left_.deep.clear();
+  } else {
+    for (const workcell::PairRule& rule : left_.pairs) names << namesOf(rule);
+    std::swap(asked_, left_.pairs);
   }
-  const int count = static_cast<int>(names.size());
+  setVisible(!asked_.empty());
+  if (asked_.empty()) return;
+  leave_out_->setEnabled(true);
+  emphasize(leave_out_, !is_deep);
+  emphasize(keep_, is_deep);
   text_->setToolTip(names.join('\n'));
-  QString list = QStringList(names.mid(0, 2)).join(QStringLiteral(", "));
-  if (count > 2) list += tr(" and %1 more").arg(count - 2);
-  text_->setText(count == 1 ? tr("1 pair touches at rest: %1. Exclude it from the check?").arg(list)
-                            : tr("%1 pairs touch at rest: %2. Exclude them from the check?").arg(count).arg(list));
+  text_->setText(is_deep ? overlapText(names) : touchText(names));
 }
 
 void RestQuestion::setOutdated() {
@@ -62,12 +109,12 @@ void RestQuestion::setOutdated() {
 }
 
 void RestQuestion::leaveOut() {
-  hide();
-  const int count = static_cast<int>(touching_.size());
+  const int count = static_cast<int>(asked_.size());
   const QString text =
       count == 1 ? tr("Exclude a pair that touches at rest") : tr("Exclude %1 pairs that touch at rest").arg(count);
-  host_.documentModel().execute(workcell::SetPairRules{std::move(touching_), text.toStdString()});
-  touching_.clear();
+  auto rules = std::move(asked_);
+  showNext();
+  host_.documentModel().execute(workcell::SetPairRules{std::move(rules), text.toStdString()});
 }
 
 }  // namespace hapticell::app

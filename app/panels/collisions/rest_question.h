@@ -4,7 +4,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "workcell/entity/pair_policy.h"
+#include "app/panels/collisions/rest_check.h"
 
 class QLabel;
 class QPushButton;
@@ -14,22 +14,26 @@ namespace hapticell::app {
 class Host;
 
 /// Asks what to do about pairs that touch at rest: exclude them from the check (a command that can be undone) or keep
-/// them. Hidden while there is nothing to ask.
+/// them. Pairs that overlap deeply are a question of its own, after the one about those that merely touch. Hidden while
+/// there is nothing to ask.
 class RestQuestion : public QFrame {
   Q_OBJECT
  public:
   explicit RestQuestion(Host& host, QWidget* parent = nullptr);
-  void ask(std::vector<workcell::PairRule> touching);
+  void ask(RestCheck::Touching found);
   /// The cell has changed since the question: nothing can be excluded until it is asked again.
   void setOutdated();
 
  private:
   void leaveOut();
+  /// Asks about what is left to ask about; hides where nothing is.
+  void showNext();
 
   Host& host_;
   QLabel* text_;
-  QPushButton* leave_out_;
-  std::vector<workcell::PairRule> touching_;
+  QPushButton *leave_out_, *keep_;
+  RestCheck::Touching left_;
+  std::vector<workcell::PairRule> asked_;
 };
 
 }  // namespace hapticell::app

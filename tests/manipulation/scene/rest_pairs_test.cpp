@@ -59,6 +59,26 @@ TEST(RestPairs, OfARowEachTouchesItsNeighboursInTheOrderOfTheDocument) {
   }
 }
 
+TEST(RestPairs, ADeepOverlapIsNoTouching) {
+  auto deep = cell();
+  const workcell::EntityId first = 50;
+  deep.push_back(solid(first, "block", geometry::makeBox(dvec3(0.2)), Pose::translation({3.0, 0, 0})));
+  deep.push_back(solid(first + 1, "sunk", geometry::makeBox(dvec3(0.2)), Pose::translation({3.15, 0.02, 0})));
+  deep.push_back(solid(first + 2, "pressed", geometry::makeBox(dvec3(0.2)), Pose::translation({3.0, -0.1995, 0})));
+  deep.push_back(solid(first + 3, "within", geometry::makeBox(dvec3(0.02)), Pose::translation({3.0, 0.01, 0})));
+  const auto scene = PreparedScene::prepare(deep, {}, {});
+  auto touching = touchingAtRest(*scene);
+  const std::size_t all = touching.size();
+  const auto found = takeDeepOverlaps(*scene, touching);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].rule.second, "within");
+  EXPECT_NEAR(found[0].depth, 0.10, 1e-3);
+  EXPECT_EQ(found[1].rule.second, "sunk");
+  EXPECT_NEAR(found[1].depth, 0.05, 1e-5);
+  EXPECT_EQ(touching.size(), all - 2);
+  EXPECT_EQ(touching.back().second, "pressed") << "0.5 mm deep";
+}
+
 TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
   auto locked = cell();
   locked[0].locked = locked[1].locked = true;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "kinematics/model/robot_model.h"
 #include "studies/store/result_merge.h"
 #include "studies/store/result_ranking.h"
 #include "workcell/format/document_io.h"
@@ -157,6 +158,27 @@ TEST_F(StudyRun, AVariantIsTheCellThatItWasMeasuredIn) {
   EXPECT_EQ(grid->evaluate(7, values), grid->evaluate(7, values));
   // The robot touches its foot in the given cell: that is no contact of a variant.
   EXPECT_FALSE(grid->notes().empty());
+}
+
+/// Where the arm goes through the block in the given cell, that pair had been left out, and no variant met the block.
+TEST_F(StudyRun, APairThatOverlapsDeeplyInTheGivenCellIsChecked) {
+  Diagnostics notes;
+  auto cell = workcell::loadDocument(folder_ / "cell.hcell", notes);
+  ASSERT_TRUE(cell);
+  const workcell::Entity& robot = *cell->findByName("robot");
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*robot.robot(), robot.joints(), X_BL);
+  const Pose X_WT = robot.X_WE * X_BL[static_cast<std::size_t>(robot.robot()->defaultTip())];
+  ASSERT_TRUE(cell->execute(workcell::SetPlacement{cell->findByName("block")->id, Pose::translation(X_WT.p)}));
+  ASSERT_TRUE(workcell::saveDocument(*cell, folder_ / "cell.hcell"));
+  const auto grid = study(kGrid);
+  ASSERT_TRUE(grid);
+  std::string all;
+  for (const Text& note : grid->notes()) all += english(note) + "\n";
+  EXPECT_NE(all.find("are not checked: 'robot' with 'foot'"), std::string::npos) << all;
+  const std::size_t checked = all.find("are checked: 'robot/");
+  ASSERT_NE(checked, std::string::npos) << all;
+  EXPECT_NE(all.find("with 'block'", checked), std::string::npos) << all;
 }
 
 TEST_F(StudyRun, ASearchComesAtLeastAsFarAsAGrid) {

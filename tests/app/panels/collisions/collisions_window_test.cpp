@@ -133,6 +133,34 @@ TEST(CollisionsPanel, WhatTouchesAtRestIsAskedShownAndUndoable) {
   EXPECT_TRUE(page.state().pair_rules.empty());
 }
 
+/// A robot arm 184 mm deep in a box was offered as a pair that touches.
+TEST(CollisionsPanel, WhatOverlapsDeeplyIsAQuestionOfItsOwn) {
+  CollisionsPage page;
+  auto* question = page.find<QFrame>("questionAtRest");
+  const Pose X_WS = page.window().documentModel().document().find(page.standing)->X_WE;
+  ASSERT_TRUE(page.window().documentModel().execute(
+      workcell::SetPlacement{page.hovering, Pose::translation(X_WS.p + dvec3(0.02, 0.0, 0.005))}));
+  page.prepareScene();
+  const auto words = [&] {
+    QString all;
+    for (const QLabel* label : question->findChildren<QLabel*>()) all += label->text();
+    return all;
+  };
+  const auto look = [&] { page.select(page.hovering), page.select(0); };
+  ASSERT_TRUE(WindowPage::until([&] { return look(), question->isVisible(); }, 5000));
+  EXPECT_TRUE(words().contains("table – standing")) << words().toStdString();
+  EXPECT_FALSE(words().contains("hovering")) << words().toStdString();
+  page.press("buttonKeepChecked");
+  ASSERT_TRUE(question->isVisible());
+  EXPECT_TRUE(words().contains("hovering")) << words().toStdString();
+  EXPECT_TRUE(words().contains("mm)")) << words().toStdString();
+  EXPECT_TRUE(page.state().pair_rules.empty());
+  page.press("buttonLeaveOut");
+  EXPECT_FALSE(question->isVisible());
+  ASSERT_EQ(page.state().pair_rules.size(), 1u);
+  EXPECT_EQ(page.state().pair_rules[0].second, "hovering");
+}
+
 TEST(CollisionsPanel, TheQuestionFollowsAPartThatIsMovedAway) {
   CollisionsPage page;
   auto* question = page.find<QFrame>("questionAtRest");
