@@ -13,6 +13,11 @@ set_target_properties(hapticell_engine PROPERTIES EXPORT_NAME engine OUTPUT_NAME
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin" BUILD_RPATH "$ORIGIN" INSTALL_RPATH "$ORIGIN")
 # The libraries once more, for what they link of others: all that they hold is there already.
 target_link_libraries(hapticell_engine PRIVATE ${hapticell_engine_libraries} PUBLIC hapticell::interface)
+# Those that another build has made, whole, after those of this one: of what both hold inline, this one's is taken.
+get_property(hapticell_built_libraries GLOBAL PROPERTY HAPTICELL_BUILT_LIBRARIES)
+if(hapticell_built_libraries)
+  target_link_libraries(hapticell_engine PRIVATE -Wl,--whole-archive ${hapticell_built_libraries} -Wl,--no-whole-archive)
+endif()
 # Calls within the library are bound when it is linked, as in a program. What is not of hapticell's namespace is not shown.
 set(hapticell_engine_symbols "${PROJECT_SOURCE_DIR}/cmake/engine_symbols.map")
 target_link_options(hapticell_engine PRIVATE -Wl,-Bsymbolic-functions
