@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/violated_rows.h"
 
 namespace hapticell::haptic {
 
@@ -27,11 +28,10 @@ struct EntryArrays {
 
 static_assert(kMaxConstraints <= 64, "a bit for each entry");
 
-/// The half-spaces of all entries around one pose: their normals in the proxy's metric and their slacks, m.
-struct EntryRows {
-  alignas(64) double normal[6][kMaxConstraints];
-  double slack[kMaxConstraints];
-  double length[kMaxConstraints];  ///< Of the gradient in the metric; below kLeastSlope the entry has no row.
+/// The half-spaces of all entries around one pose: their normals in the proxy's metric and their slacks, m. makeRows()
+/// fills these and the lengths only, up to a multiple of a vector's lanes.
+struct EntryRows : RowArrays {
+  alignas(64) double length[kMaxConstraints];  ///< Of the gradient in the metric; below kLeastSlope the entry has no row.
 };
 
 /// Of a gradient that has no direction to be felt in. Half and twice pass the tests of this folder.

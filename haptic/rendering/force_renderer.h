@@ -129,6 +129,7 @@ class ForceRenderer {
   bool started_ = false;
   Pose proxy_;
   Pose stylus_;
+  ActiveRows held_by_;    ///< Of the last tick: see ProxyStep::held_by.
   MetricVector trust_D_;  ///< Of the last tick: see ProxyStep::trust_D.
   FilteredVelocities velocities_;
   CouplingGains gains_;

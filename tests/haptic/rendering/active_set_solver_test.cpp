@@ -104,7 +104,7 @@ TEST(ActiveSetSolver, KeepsAFreeMotionAsItIs) {
   EXPECT_EQ(result.status, SolverStatus::kSolved);
   EXPECT_EQ(result.d, d0);
   EXPECT_EQ(result.active_count, 0u);
-  EXPECT_EQ(nearestFeasible({}, d0).d, d0);
+  EXPECT_EQ(nearestFeasible(std::span<const SolverRow>(), d0).d, d0);
 }
 
 TEST(ActiveSetSolver, AgreesWithTheEnumerationOfAllActiveSets) {
