@@ -127,7 +127,8 @@ class TickRun {
  public:
   explicit TickRun(std::size_t groups) {
     std::mt19937_64 random(5);
-    for (std::uint64_t i = 0; i < 64; ++i) sets_.push_back(curvedSet(i, groups, Pose::identity(), random));
+    sets_.resize(64);
+    for (std::uint64_t i = 0; i < 64; ++i) sets_[i].prepare(curvedSet(i, groups, Pose::identity(), random));
     renderer_->reset(Pose::identity());
   }
 
@@ -141,10 +142,10 @@ class TickRun {
     const double t = 1e-3 * i;
     const dvec3 p = 0.008 * dvec3(std::sin(7.0 * t), std::sin(11.0 * t + 1.0), std::sin(13.0 * t + 2.0));
     const Pose X_DS{p, quaternionFromRotationVector(0.1 * dvec3(std::sin(3.0 * t), std::cos(5.0 * t), 0.3))};
-    ConstraintSet& next = sets_[static_cast<std::size_t>(i / 17) % sets_.size()];
+    GroupedSet& next = sets_[static_cast<std::size_t>(i / 17) % sets_.size()];
     next.sequence = static_cast<std::uint64_t>(ticks_);
     around([&] {
-      if (takesSetOver(i)) renderer_->adopt(next);
+      if (takesSetOver(i)) renderer_->adopt(next, 0.0);
       const RenderResult result = renderer_->tick(X_DS, 1e-3);
       SafetyInput input;
       input.force_D = result.force_D;
@@ -156,7 +157,7 @@ class TickRun {
   }
 
  private:
-  std::vector<ConstraintSet> sets_;
+  std::vector<GroupedSet> sets_;  ///< Prepared, as by the server's thread that receives them.
   std::unique_ptr<ForceRenderer> renderer_ = std::make_unique<ForceRenderer>();
   SafetyChain chain_;
   std::size_t rows_ = 0;

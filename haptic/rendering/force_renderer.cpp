@@ -69,7 +69,15 @@ void ForceRenderer::reset(const Pose& X_DS) {
 }
 
 Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
-  if (!isWellFormed(set)) return Adoption::kMalformed;
+  return isWellFormed(set) ? offer(set, age) : Adoption::kMalformed;
+}
+
+Adoption ForceRenderer::adopt(const GroupedSet& set, double age) {
+  return set.well_formed ? offer(set, age) : Adoption::kMalformed;
+}
+
+template <typename Set>
+Adoption ForceRenderer::offer(const Set& set, double age) {
   if (sets_.isOutdated(set.sequence)) return Adoption::kOutdated;
   if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= kTrustedShare * set.zone_radius)
     return Adoption::kOutsideZone;
@@ -133,7 +141,7 @@ dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt, const dve
   dvec3 pull_D(0.0);
   if (sets_.holds()) {
     const GroupedSet& grouped = sets_.current();
-    inside = lengthOf(metricDifference(X_DS, grouped.set.X_DR)) < grouped.set.zone_radius;
+    inside = lengthOf(metricDifference(X_DS, grouped.X_DR)) < grouped.zone_radius;
     if (inside) pull_D = grouped.pullAt(X_DS);
   }
   const bool crossed = std::exchange(pulls_inside_, inside) != inside;

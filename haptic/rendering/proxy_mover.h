@@ -32,7 +32,7 @@ struct ProxyStep {
   void note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result);
 
  private:
-  void noteOutrun(const Constraint& constraint, double press);
+  void noteOutrun(const EntryArrays& entries, std::size_t entry, double press);
 };
 
 /// Moves proxies (god-objects; C. Zilles, K. Salisbury, 1995) from their last pose towards the stylus, inside one
@@ -57,7 +57,7 @@ class ProxyMover {
   void applyFriction(const GroupedSet& grouped, const Pose& from, const Touching& began, ProxyStep& step,
                      double dt) const;
   void goOn(const GroupedSet& grouped, const Touching& began, double most, ProxyStep& step) const;
-  MetricVector keptInZone(const ConstraintSet& set, const Vector6& from_reference, const MetricVector& d,
+  MetricVector keptInZone(double zone_radius, const Vector6& from_reference, const MetricVector& d,
                           ProxyStep& step) const;
   MetricVector felt(MetricVector v) const;
   bool turning_ = false;

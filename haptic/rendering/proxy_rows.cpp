@@ -22,58 +22,62 @@ constexpr SolverRow kNeverBites{{}, 1.0, false};
 
 }  // namespace
 
+void GroupedSet::prepare(const ConstraintSet& wanted) {
+  well_formed = isWellFormed(wanted);
+  if (well_formed) take(wanted);
+}
+
 void GroupedSet::take(const ConstraintSet& wanted) {
-  set.sequence = wanted.sequence;
-  set.stamp_ns = wanted.stamp_ns;
-  set.X_DR = wanted.X_DR;
-  set.zone_radius = wanted.zone_radius;
-  set.count = wanted.count;
-  std::copy_n(wanted.constraints.begin(), wanted.count, set.constraints.begin());
-  for (std::size_t i = 0; i < set.count; ++i) {
-    // Faster than anything in a workcell is an error; it must not carry a row away to infinity.
-    dvec3& velocity = set.constraints[i].velocity_D;
-    velocity = glm::clamp(velocity, dvec3(-kFastest), dvec3(kFastest));
+  sequence = wanted.sequence;
+  stamp_ns = wanted.stamp_ns;
+  X_DR = wanted.X_DR;
+  zone_radius = wanted.zone_radius;
+  count = wanted.count;
+  well_formed = true;
+  arrays.take(wanted);
+  // Faster than anything in a workcell is an error; it must not carry a row away to infinity.
+  for (auto& along : arrays.velocity) {
+    for (std::size_t i = 0; i < arrays.count; ++i) along[i] = std::clamp(along[i], -kFastest, kFastest);
   }
-  arrays.take(set);
   groups = 0;
   std::array<std::uint32_t, kMaxConstraints> group{};
-  for (std::size_t i = 0; i < set.count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto begin = group.begin(), end = begin + static_cast<std::ptrdiff_t>(groups);
-    const auto found = std::find(begin, end, set.constraints[i].group);
+    const auto found = std::find(begin, end, wanted.constraints[i].group);
     row_of[i] = static_cast<std::uint8_t>(found - begin);
-    if (found == end) group[groups++] = set.constraints[i].group;
+    if (found == end) group[groups++] = wanted.constraints[i].group;
   }
-  each_alone = groups == set.count && arrays.pulls == 0;
+  each_alone = groups == count && arrays.pulls == 0;
 }
 
 dvec3 GroupedSet::pullAt(const Pose& X_DS) const {
   dvec3 pull(0.0);
   if (arrays.pulls == 0) return pull;
-  const Twist motion = difference(X_DS, set.X_DR);
+  const Twist motion = difference(X_DS, X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   for (std::uint64_t left = arrays.pulls; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const Constraint& c = set.constraints[i];
-    if (c.reach <= 0.0) continue;
+    const double reach = arrays.reach[i];
+    if (reach <= 0.0) continue;
     Vector6 gradient{};
-    const double value = evaluateWithGradient(c, seenFrom(i, xi), gradient);
+    const double value = evaluateWithGradient(arrays.surfaceOf(i), seenFrom(i, xi), gradient);
     const dvec3 along = linearPart(gradient);
     const double length = glm::length(along);
-    if (!(std::abs(value) < c.reach) || length < 1e-9) continue;
-    const double part = value / c.reach;
-    pull -= std::min(c.stiffness, kStiffestPull) * value * (1.0 - part * part) / length * along;
+    if (!(std::abs(value) < reach) || length < 1e-9) continue;
+    const double part = value / reach;
+    pull -= std::min(arrays.stiffness[i], kStiffestPull) * value * (1.0 - part * part) / length * along;
   }
   const double size = glm::length(pull);
   return size > kStrongestPull ? pull * (kStrongestPull / size) : pull;
 }
 
 Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
-  const dvec3 gone = age * set.constraints[entry].velocity_D;
+  const dvec3 gone = age * arrays.velocityOf(entry);
   return {xi[0] - gone.x, xi[1] - gone.y, xi[2] - gone.z, xi[3], xi[4], xi[5]};
 }
 
 void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
-  const Twist motion = difference(X_DP, grouped.set.X_DR);
+  const Twist motion = difference(X_DP, grouped.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   from_reference = joined(motion.linear, kRotationLever * motion.angular);
   row.count = grouped.groups;
@@ -82,7 +86,7 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
     gatherEach(grouped, xi);
   else
     gatherFreest(grouped, xi);
-  addTrustRow(grouped.set);
+  addTrustRow(grouped.zone_radius);
   row.fillLastVector();
 }
 
@@ -99,7 +103,7 @@ void ProxyRows::gatherFreest(const GroupedSet& grouped, const Vector6& xi) {
   makeRows(grouped.arrays, xi, grouped.age, made_);
   std::array<double, kMaxConstraints> freest;
   std::fill_n(freest.begin(), row.count, -1e9);
-  for (std::size_t i = 0; i < grouped.set.count; ++i) {
+  for (std::size_t i = 0; i < grouped.count; ++i) {
     if (EntryArrays::has(grouped.arrays.pulls, i) || made_.length[i] < kLeastSlope) continue;
     noteTouched(grouped, i);
     const std::uint8_t slot = grouped.row_of[i];
@@ -155,9 +159,9 @@ void ProxyRows::settle(const Vector6& wanted) {
   }
 }
 
-void ProxyRows::addTrustRow(const ConstraintSet& set) {
+void ProxyRows::addTrustRow(double zone_radius) {
   const double distance = lengthOf(from_reference);
-  SolverRow trust{{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kTrustedShare * set.zone_radius - distance, false};
+  SolverRow trust{{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kTrustedShare * zone_radius - distance, false};
   for (std::size_t i = 0; distance >= 1e-9 && i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
   row.add(trust);
 }
