@@ -39,7 +39,7 @@ struct SolverResult {
 /// rows. At most kMaxRows rows (more are ignored). Never allocates or throws; for the force loop.
 ///
 /// `begin_with`: rows that may hold this motion back, as those of the last motion do; the answer is the same with any
-/// (to 1e-9 m), but found in one step where they are right. `rows` must have had fillLastVector().
+/// (to 1e-7 m), but found in one step where they are right. `rows` must have had fillLastVector().
 SolverResult nearestFeasible(const RowArrays& rows, const Vector6& d0, const ActiveRows& begin_with = {}) noexcept;
 SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept;
 

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "geometry/system/file_bytes.h"
+#include "geometry/system/open_file.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::geometry {
@@ -53,6 +54,10 @@ TEST_F(RegularFile, IsTheSameReadByAllCores) {
     EXPECT_TRUE(bytes->view() == written) << size;
     EXPECT_TRUE(*readRegularFile(file) == written) << size;
     EXPECT_EQ(FileBytes::read(file, 20'000'000).has_value(), size < 20'000'000);
+    const auto opened = openRegularFile(file, size);
+    ASSERT_TRUE(opened.has_value());
+    EXPECT_EQ(opened->size, size);
+    EXPECT_EQ(::close(opened->descriptor), 0);
   }
 }
 
