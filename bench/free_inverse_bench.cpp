@@ -6,8 +6,8 @@
 // robot's own links; the loop checks against the cell only, which is less. All of KDL's starts count, also those that
 // fail. What KDL finds is then looked for among ours, and what FCL says of it is held against ours (not timed).
 //
-// usage: free_inverse_bench [POSES [CELL ROBOT]]      the first robot of the demonstration cell by default; of 5000 poses
-// and more only ours
+// usage: free_inverse_bench [POSES [CELL ROBOT]]      the first robot of the demonstration cell by default; of 5000
+// poses and more only ours
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -160,7 +160,12 @@ class Comparison {
  public:
   Comparison(const kinematics::InverseModel& inverse, const manipulation::JointCheck& check, Loop& loop,
              const Pose& X_LT)
-      : inverse_(inverse), check_(check), own_(check.fresh()), judge_(check.fresh()), loop_(loop), X_TL_(X_LT.inverse()) {}
+      : inverse_(inverse),
+        check_(check),
+        own_(check.fresh()),
+        judge_(check.fresh()),
+        loop_(loop),
+        X_TL_(X_LT.inverse()) {}
 
   void run(const std::vector<Pose>& X_BT) {
     for (std::size_t begin = 0; begin < X_BT.size(); begin += kBlock) {

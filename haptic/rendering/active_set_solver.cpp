@@ -65,7 +65,7 @@ class ActiveSet {
   std::array<double, kMaxActive> sign_{};
   std::array<Vector6, kMaxActive> normal_{};
   ActiveVector multiplier_{};
-  std::array<ActiveVector, kMaxActive> factor_{};  // Lower triangle; of the diagonal the reciprocals.
+  std::array<ActiveVector, kMaxActive> factor_{};              // Lower triangle; of the diagonal the reciprocals.
   alignas(64) std::array<double, RowArrays::kMost> barred_{};  ///< The active rows.
   int dependent_ = 0;
   int steps_ = 0;

@@ -27,7 +27,7 @@ struct SolverResult {
   SolverStatus status = SolverStatus::kSolved;
   Vector6 d{};
   std::size_t active_count = 0;
-  ActiveRows active;  ///< As many as active_count if kSolved, else none.
+  ActiveRows active;                          ///< As many as active_count if kSolved, else none.
   std::array<double, kMaxRows> multiplier{};  ///< d - d0 = sum of multiplier[i] * row[i].normal; 0 for inactive rows.
 };
 

@@ -35,7 +35,7 @@ static_assert(kMaxConstraints <= 64, "a bit for each entry");
 /// The half-spaces of all entries around one pose: their normals in the proxy's metric and their slacks, m. makeRows()
 /// fills these and the lengths only, up to a multiple of a vector's lanes.
 struct EntryRows : RowArrays {
-  alignas(64) double length[kMaxConstraints];  ///< Of the gradient in the metric; below kLeastSlope the entry has no row.
+  alignas(64) double length[kMaxConstraints];  ///< Of the gradient in the metric; below kLeastSlope: no row.
 };
 
 /// Of a gradient that has no direction to be felt in. Half and twice pass the tests of this folder.

@@ -44,7 +44,7 @@ inline constexpr double kTrustedShare = 0.995;
 /// The half-spaces of one set around one proxy pose: one row per group, from the group's freest entry, and last the
 /// trust row, which keeps the proxy inside the set's zone.
 struct ProxyRows {
-  EntryRows row;  ///< Without lengths.
+  EntryRows row;                               ///< Without lengths.
   std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry from which each group's row was made.
   Vector6 from_reference{};                    ///< Of the pose, in the metric.
 
