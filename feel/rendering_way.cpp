@@ -39,12 +39,13 @@ ConstraintSet ClassicWay::sent(const ConstraintSet& exact) const {
   grouped.take(exact);
   haptic::ProxyRows rows;
   rows.gather(grouped, exact.X_DR);
-  std::size_t nearest = rows.count;
-  for (std::size_t i = 0; i + 1 < rows.count; ++i) {
-    if (nearest == rows.count || violation(rows.row[i]) > violation(rows.row[nearest])) nearest = i;
+  const std::size_t count = rows.row.count;
+  std::size_t nearest = count;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    if (nearest == count || violation(rows.row.at(i)) > violation(rows.row.at(nearest))) nearest = i;
   }
-  if (nearest == rows.count) return plane;
-  const SolverRow& row = rows.row[nearest];
+  if (nearest == count) return plane;
+  const SolverRow row = rows.row.at(nearest);
   haptic::Constraint& entry = plane.constraints[0];
   entry.kind = row.equality ? haptic::ConstraintKind::kEquality : haptic::ConstraintKind::kInequality;
   entry.gap = row.slack;

@@ -8,6 +8,7 @@
 
 #include "cli/kit/result_writer.h"
 #include "geometry/shapes/mass_properties.h"
+#include "geometry/system/in_parallel.h"
 #include "kinematics/closed_form/inverse_factory.h"
 #include "kinematics/model/jacobian.h"
 #include "mannequin/body/skeleton.h"
@@ -175,6 +176,22 @@ ordered_json frameReport(const workcell::Entity& entity) {
   return report;
 }
 
+/// The box, in W, of a mesh's vertices.
+geometry::Bounds placedBox(const geometry::TriangleMesh& mesh, const Pose& X_WM) {
+  // Vertices for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 100'000;
+  const std::size_t count = mesh.vertices.size();
+  std::vector<geometry::Bounds> of_ranges(geometry::rangesOf(count, kLeast));
+  geometry::inRanges(count, of_ranges.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    geometry::Bounds bounds;
+    for (std::size_t k = begin; k < end; ++k) bounds.add(X_WM * mesh.vertices[k]);
+    of_ranges[range] = bounds;
+  });
+  geometry::Bounds whole;
+  for (const geometry::Bounds& bounds : of_ranges) whole.add(bounds);
+  return whole;
+}
+
 }  // namespace
 
 SolidFacts factsOf(const geometry::TriangleMesh& mesh) {
@@ -185,8 +202,7 @@ SolidFacts factsOf(const geometry::TriangleMesh& mesh) {
 
 ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
                         const std::array<float, 3>& color, const SolidFacts& facts) {
-  geometry::Bounds bounds;
-  for (const dvec3& p_MV : mesh.vertices) bounds.add(X_WM * p_MV);
+  const geometry::Bounds bounds = placedBox(mesh, X_WM);
   ordered_json report{{"name", name}, {"kind", "solid"}, {"color", colorReport(color[0], color[1], color[2])}};
   report["triangles"] = mesh.triangles.size();
   report["bounds"] = boundsReport(bounds);
@@ -295,9 +311,7 @@ ordered_json sceneReport(const workcell::ImportedScene& scene, std::span<const S
       report = shape;
       report["name"] = node.name;
       report["color"] = colorReport(color[0], color[1], color[2]);
-      geometry::Bounds bounds;
-      for (const dvec3& p_MV : mesh.vertices) bounds.add(X_W[k] * p_MV);
-      report["bounds"] = boundsReport(bounds);
+      report["bounds"] = boundsReport(placedBox(mesh, X_W[k]));
       report["children"] = std::move(children[k]);
     }
     if (!node.instance.empty()) report["instance"] = node.instance;

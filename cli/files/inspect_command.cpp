@@ -14,6 +14,7 @@
 #include "cli/kit/xacro_arguments.h"
 #include "geometry/shapes/mass_properties.h"
 #include "geometry/shapes/topology.h"
+#include "geometry/system/in_parallel.h"
 #include "workcell/document/carried_load.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -127,6 +128,15 @@ std::string unitWord(double metres_per_unit) {
   return text.str();
 }
 
+void scale(geometry::TriangleMesh& mesh, double factor) {
+  // Vertices for a thread to be worth it. Half, twice: no effect.
+  constexpr std::size_t kLeast = 100'000;
+  const std::size_t count = factor == 1.0 ? 0 : mesh.vertices.size();
+  geometry::inRanges(count, geometry::rangesOf(count, kLeast), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) mesh.vertices[k] *= factor;
+  });
+}
+
 Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& notes) {
   workcell::MeshReadOptions reading;
   reading.weld = false;
@@ -136,7 +146,7 @@ Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& n
   const auto unit = unitOf(options, *file, notes);
   HAPTICELL_TRY(unit);
   for (workcell::MeshPart& part : file->parts) {
-    for (dvec3& vertex : part.mesh.vertices) vertex *= *unit / file->metres_per_unit;
+    scale(part.mesh, *unit / file->metres_per_unit);
   }
   const std::vector<SolidFacts> facts = warnAboutTriangles(file->parts, notes);
   const workcell::MeshFormat format = file->format;

@@ -12,6 +12,8 @@
 #include <optional>
 #include <streambuf>
 
+#include "geometry/system/open_file.h"
+
 namespace hapticell::geometry {
 
 namespace fs = std::filesystem;
@@ -45,24 +47,6 @@ Error unreadable(const fs::path& path, int fault) {
           .fix = fault == EACCES ? Text("Check its permissions.") : Text()};
 }
 
-struct OpenFile {
-  int descriptor = -1;
-  std::uintmax_t size = 0;
-};
-
-/// Looked at before it is opened, for opening alone may set a device going; and again after, for it may have been
-/// exchanged in between. Not blocking: a pipe would wait for somebody who writes.
-Expected<OpenFile> openFile(const fs::path& path, std::uintmax_t most_bytes) {
-  HAPTICELL_TRY(checkRegularFile(path, most_bytes));
-  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (file < 0) return makeError(unreadable(path, errno));
-  struct stat state {};
-  auto fault = ::fstat(file, &state) != 0 ? std::optional(unreadable(path, errno)) : faultOf(path, state, most_bytes);
-  if (!fault) return OpenFile{file, static_cast<std::uintmax_t>(state.st_size)};
-  ::close(file);
-  return makeError(std::move(*fault));
-}
-
 /// Up to `count` bytes; fewer at the file's end or after a fault.
 std::size_t readUpTo(int file, char* into, std::size_t count) {
   std::size_t have = 0;
@@ -77,6 +61,23 @@ std::size_t readUpTo(int file, char* into, std::size_t count) {
 
 }  // namespace
 
+Expected<OpenFile> openRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
+  HAPTICELL_TRY(checkRegularFile(path, most_bytes));
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) return makeError(unreadable(path, errno));
+  struct stat state {};
+  auto fault = ::fstat(file, &state) != 0 ? std::optional(unreadable(path, errno)) : faultOf(path, state, most_bytes);
+  if (!fault) return OpenFile{file, static_cast<std::uintmax_t>(state.st_size)};
+  ::close(file);
+  return makeError(std::move(*fault));
+}
+
+Error endedEarly(const fs::path& path) {
+  return {.file = path.string(),
+          .found = "the file could not be read",
+          .fix = "Check that you have permission to read it."};
+}
+
 Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
   struct stat state {};
   if (::stat(path.c_str(), &state) != 0) return makeError(unreadable(path, errno));
@@ -85,19 +86,17 @@ Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes)
 }
 
 Expected<std::string> readRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
-  const auto file = openFile(path, most_bytes);
+  const auto file = openRegularFile(path, most_bytes);
   HAPTICELL_TRY(file);
   std::string content(file->size, '\0');
   const std::size_t have = readUpTo(file->descriptor, content.data(), content.size());
   ::close(file->descriptor);
   if (have == content.size()) return content;
-  return makeError({.file = path.string(),
-                    .found = "the file could not be read",
-                    .fix = "Check that you have permission to read it."});
+  return makeError(endedEarly(path));
 }
 
 std::string headOfFile(const fs::path& path, std::size_t most) {
-  const auto file = openFile(path, ~std::uintmax_t{0});
+  const auto file = openRegularFile(path, ~std::uintmax_t{0});
   if (!file) return {};
   std::string head(static_cast<std::size_t>(std::min<std::uintmax_t>(most, file->size)), '\0');
   head.resize(readUpTo(file->descriptor, head.data(), head.size()));
@@ -127,7 +126,7 @@ class RegularFileStream::Buffer final : public std::streambuf {
 };
 
 RegularFileStream::RegularFileStream(const fs::path& path, std::uintmax_t most_bytes) : std::istream(nullptr) {
-  const auto file = openFile(path, most_bytes);
+  const auto file = openRegularFile(path, most_bytes);
   if (!file) {
     error_ = file.error();
     return;  // A stream without a buffer is bad.

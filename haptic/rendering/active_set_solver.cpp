@@ -11,7 +11,7 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr std::size_t kMaxActive = 8;  // Six independent rows and two dependent ones.
+constexpr std::size_t kMaxActive = ActiveRows::kMost;
 /// Of rows that are nearly parallel. Half: ForceRenderer.NeverPulls fails; twice: ActiveSetSolver.StaysInAnAcuteCorner.
 constexpr double kRegularisation = 1e-7;
 // Of the next four half and twice pass the tests of this folder.
@@ -23,10 +23,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using ActiveVector = std::array<double, kMaxActive>;
 
+/// In pairs: six sums one after the other would have to wait for each other.
 double dot(const Vector6& a, const Vector6& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
-  return sum;
+  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]) + (a[4] * b[4] + a[5] * b[5]);
 }
 
 void addScaled(Vector6& a, double scale, const Vector6& b) {
@@ -37,8 +36,9 @@ void addScaled(Vector6& a, double scale, const Vector6& b) {
 /// matrix plus the regularisation. An equality is handled with the sign that it was violated with.
 class ActiveSet {
  public:
-  ActiveSet(std::span<const SolverRow> rows, const Vector6& d0);
+  ActiveSet(const RowArrays& rows, const Vector6& d0) : rows_(rows), d0_(d0), d_(d0) {}
 
+  void beginWith(const ActiveRows& first);
   SolverResult solve();
 
  private:
@@ -46,77 +46,76 @@ class ActiveSet {
     std::size_t row = 0;
     double sign = 1.0;
     double value = 0.0;  ///< Signed normal . d + slack, negative.
+    Vector6 normal{};    ///< With the sign.
   };
+  bool isEquality(std::size_t position) const { return rows_.both_ways[row_of_[position]] != 0.0; }
+  double leftBy(std::size_t position) const;
   bool chooseViolated(Candidate& candidate) const;
   bool bringIn(const Candidate& candidate);
-  void stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z) const;
+  void solveFactor(ActiveVector& r) const;
   void drop(std::size_t position);
-  void append(std::size_t row, double sign, double multiplier);
+  void append(const Candidate& candidate, double multiplier);
   void factorise(std::size_t from);
+  void moveToRows();
 
-  std::span<const SolverRow> rows_;
-  Vector6 d_;
+  const RowArrays& rows_;
+  Vector6 d0_, d_;
   std::size_t count_ = 0;
   std::array<std::size_t, kMaxActive> row_of_{};
   std::array<double, kMaxActive> sign_{};
   std::array<Vector6, kMaxActive> normal_{};
   ActiveVector multiplier_{};
-  std::array<ActiveVector, kMaxActive> factor_{};  // Lower triangle.
-  RowArrays arrays_;  ///< Of all rows; the active ones are barred.
+  std::array<ActiveVector, kMaxActive> factor_{};              // Lower triangle; of the diagonal the reciprocals.
+  alignas(64) std::array<double, RowArrays::kMost> barred_{};  ///< The active rows.
   int dependent_ = 0;
   int steps_ = 0;
 };
 
-ActiveSet::ActiveSet(std::span<const SolverRow> rows, const Vector6& d0) : rows_(rows), d_(d0) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < 6; ++k) arrays_.normal[k][i] = rows[i].normal[k];
-    arrays_.slack[i] = rows[i].slack;
-    arrays_.both_ways[i] = rows[i].equality ? 1.0 : 0.0;
-    arrays_.barred[i] = 0.0;
-  }
-  for (arrays_.count = rows.size(); arrays_.count % 4 != 0; ++arrays_.count) {
-    for (auto& numbers : arrays_.normal) numbers[arrays_.count] = 0.0;
-    arrays_.slack[arrays_.count] = arrays_.both_ways[arrays_.count] = 0.0;
-    arrays_.barred[arrays_.count] = kInfinity;
-  }
+/// Signed normal . d + slack.
+double ActiveSet::leftBy(std::size_t position) const {
+  return dot(normal_[position], d_) + sign_[position] * rows_.slack[row_of_[position]];
 }
 
 bool ActiveSet::chooseViolated(Candidate& candidate) const {
   std::size_t row = 0;
-  if (!mostViolated(arrays_, d_, kTolerance, row)) return false;
-  const double value = dot(rows_[row].normal, d_) + rows_[row].slack;
-  const double sign = rows_[row].equality && value > 0.0 ? -1.0 : 1.0;
-  candidate = {row, sign, sign * value};
+  if (!mostViolated(rows_, barred_.data(), d_, kTolerance, row)) return false;
+  candidate = {row, 1.0, 0.0, rows_.normalOf(row)};
+  candidate.value = dot(candidate.normal, d_) + rows_.slack[row];
+  if (rows_.both_ways[row] == 0.0 || candidate.value <= 0.0) return true;
+  candidate.sign = -1.0;
+  candidate.value = -candidate.value;
+  for (double& number : candidate.normal) number = -number;
   return true;
 }
 
 /// The rows of the factor before `from` are those of the last time.
 void ActiveSet::factorise(std::size_t from) {
   for (std::size_t i = from; i < count_; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = dot(normal_[i], normal_[j]) + (i == j ? kRegularisation : 0.0);
+    for (std::size_t j = 0; j < i; ++j) {
+      double sum = dot(normal_[i], normal_[j]);
       for (std::size_t k = 0; k < j; ++k) sum -= factor_[i][k] * factor_[j][k];
-      factor_[i][j] = i == j ? std::sqrt(std::max(sum, 1e-18)) : sum / factor_[j][j];
+      factor_[i][j] = sum * factor_[j][j];
     }
+    double sum = dot(normal_[i], normal_[i]) + kRegularisation;
+    for (std::size_t k = 0; k < i; ++k) sum -= factor_[i][k] * factor_[i][k];
+    factor_[i][i] = 1.0 / std::sqrt(std::max(sum, 1e-18));
   }
 }
 
-void ActiveSet::stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z) const {
+/// Solves for the active rows, in place.
+void ActiveSet::solveFactor(ActiveVector& r) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    r[i] = dot(normal_[i], normal);
     for (std::size_t k = 0; k < i; ++k) r[i] -= factor_[i][k] * r[k];
-    r[i] /= factor_[i][i];
+    r[i] *= factor_[i][i];
   }
   for (std::size_t i = count_; i-- > 0;) {
     for (std::size_t k = i + 1; k < count_; ++k) r[i] -= factor_[k][i] * r[k];
-    r[i] /= factor_[i][i];
+    r[i] *= factor_[i][i];
   }
-  z = normal;
-  for (std::size_t i = 0; i < count_; ++i) addScaled(z, -r[i], normal_[i]);
 }
 
 void ActiveSet::drop(std::size_t position) {
-  arrays_.barred[row_of_[position]] = 0.0;
+  barred_[row_of_[position]] = 0.0;
   --count_;
   for (std::size_t i = position; i < count_; ++i) {
     row_of_[i] = row_of_[i + 1];
@@ -127,34 +126,66 @@ void ActiveSet::drop(std::size_t position) {
   factorise(position);
 }
 
-void ActiveSet::append(std::size_t row, double sign, double multiplier) {
-  arrays_.barred[row] = kInfinity;
-  row_of_[count_] = row;
-  sign_[count_] = sign;
-  normal_[count_] = rows_[row].normal;
-  for (double& number : normal_[count_]) number *= sign;
+void ActiveSet::append(const Candidate& candidate, double multiplier) {
+  barred_[candidate.row] = kInfinity;
+  row_of_[count_] = candidate.row;
+  sign_[count_] = candidate.sign;
+  normal_[count_] = candidate.normal;
   multiplier_[count_] = multiplier;
   ++count_;
   factorise(count_ - 1);
 }
 
+/// The nearest motion on all active rows, and their multipliers.
+void ActiveSet::moveToRows() {
+  d_ = d0_;
+  for (std::size_t i = 0; i < count_; ++i) multiplier_[i] = -leftBy(i);
+  solveFactor(multiplier_);
+  for (std::size_t i = 0; i < count_; ++i) addScaled(d_, multiplier_[i], normal_[i]);
+}
+
+/// Those of `first` that press when the motion is on them all: with them the method is where it could have come to by
+/// itself.
+void ActiveSet::beginWith(const ActiveRows& first) {
+  for (std::size_t i = 0; i < first.count; ++i) {
+    const std::size_t row = first.row[i];
+    if (row >= rows_.count || barred_[row] != 0.0) continue;
+    append({row, 1.0, 0.0, rows_.normalOf(row)}, 0.0);
+    const double inverse = factor_[count_ - 1][count_ - 1];
+    if (inverse * inverse * (kDependent + kRegularisation) > 1.0) drop(count_ - 1);
+  }
+  while (count_ > 0) {
+    moveToRows();
+    std::size_t leaving = count_;
+    double least = kTolerance;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (isEquality(i) || multiplier_[i] >= least) continue;
+      least = multiplier_[i];
+      leaving = i;
+    }
+    if (leaving == count_) return;
+    drop(leaving);
+  }
+  d_ = d0_;
+}
+
 /// Raises the candidate's multiplier from zero until its row holds, dropping rows that would begin to pull. False when
 /// the method should stop.
 bool ActiveSet::bringIn(const Candidate& candidate) {
-  Vector6 normal = rows_[candidate.row].normal;
-  for (double& number : normal) number *= candidate.sign;
   double multiplier = 0.0;
   double value = candidate.value;
   while (steps_++ < kMaxSteps) {
     ActiveVector r{};
-    Vector6 z{};
-    stepDirection(normal, r, z);
-    const double gain = dot(z, normal) + kRegularisation;
+    for (std::size_t i = 0; i < count_; ++i) r[i] = dot(normal_[i], candidate.normal);
+    solveFactor(r);
+    Vector6 z = candidate.normal;
+    for (std::size_t i = 0; i < count_; ++i) addScaled(z, -r[i], normal_[i]);
+    const double gain = dot(z, candidate.normal) + kRegularisation;
     const double full = -value / gain;
     double partial = kInfinity;
     std::size_t leaving = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (rows_[row_of_[i]].equality || r[i] <= 1e-12 || multiplier_[i] / r[i] >= partial) continue;
+      if (isEquality(i) || r[i] <= 1e-12 || multiplier_[i] >= partial * r[i]) continue;
       partial = multiplier_[i] / r[i];
       leaving = i;
     }
@@ -169,7 +200,7 @@ bool ActiveSet::bringIn(const Candidate& candidate) {
     }
     if (dot(z, z) < kDependent) ++dependent_;
     if (count_ == kMaxActive) return false;
-    append(candidate.row, candidate.sign, multiplier);
+    append(candidate, multiplier);
     return dependent_ < 2;
   }
   return false;
@@ -185,44 +216,66 @@ SolverResult ActiveSet::solve() {
   }
   // One dependent row can be met only by the regularisation's softness: then the rows contradict each other.
   for (std::size_t i = 0; i < count_; ++i) {
-    const SolverRow& row = rows_[row_of_[i]];
-    const double value = sign_[i] * (dot(row.normal, d_) + row.slack);
-    if (result.status == SolverStatus::kSolved && value < -1e-7) result.status = SolverStatus::kInfeasible;
+    if (result.status == SolverStatus::kSolved && leftBy(i) < -1e-7) result.status = SolverStatus::kInfeasible;
     result.multiplier[row_of_[i]] = sign_[i] * multiplier_[i];
+    result.active.row[i] = static_cast<std::uint8_t>(row_of_[i]);
   }
   result.active_count = count_;
+  if (result.status == SolverStatus::kSolved) result.active.count = count_;
   result.d = d_;
   return result;
 }
 
-}  // namespace
-
-SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
-  return ActiveSet(rows.first(std::min(rows.size(), kMaxRows)), d0).solve();
+RowArrays arraysOf(std::span<const SolverRow> rows) {
+  RowArrays arrays;
+  for (const SolverRow& row : rows.first(std::min(rows.size(), kMaxRows))) arrays.add(row);
+  arrays.fillLastVector();
+  return arrays;
 }
 
-SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
-  rows = rows.first(std::min(rows.size(), kMaxRows));
-  const SolverResult middle = nearestFeasible(rows, d0);
-  if (middle.status == SolverStatus::kSolved) return middle;
-  double deepest = 0.0;
-  for (const SolverRow& row : rows) deepest = std::max(deepest, row.equality ? 0.0 : -row.slack);
-  std::array<SolverRow, kMaxRows> kept;  // As many as there are rows.
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    kept[i] = rows[i];
-    if (!rows[i].equality && rows[i].slack < 0.0) kept[i].slack += deepest;
+}  // namespace
+
+SolverResult nearestFeasible(const RowArrays& rows, const Vector6& d0, const ActiveRows& begin_with) noexcept {
+  if (begin_with.count > 0) {
+    ActiveSet set(rows, d0);
+    set.beginWith(begin_with);
+    const SolverResult result = set.solve();
+    // Where rows contradict each other the method stops early, and where, its way decides.
+    if (result.status == SolverStatus::kSolved) return result;
   }
-  SolverResult result = nearestFeasible(std::span(kept).first(rows.size()), middle.d);
+  return ActiveSet(rows, d0).solve();
+}
+
+SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
+  return nearestFeasible(arraysOf(rows), d0);
+}
+
+SolverResult nearestUnentered(const RowArrays& rows, const Vector6& d0, const ActiveRows& begin_with) noexcept {
+  const SolverResult middle = nearestFeasible(rows, d0, begin_with);
+  if (middle.status == SolverStatus::kSolved) return middle;
+  const auto isEquality = [&](std::size_t i) { return rows.both_ways[i] != 0.0; };
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < rows.count; ++i) deepest = std::max(deepest, isEquality(i) ? 0.0 : -rows.slack[i]);
+  RowArrays kept = rows;
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    if (!isEquality(i) && rows.slack[i] < 0.0) kept.slack[i] += deepest;
+  }
+  SolverResult result = nearestFeasible(kept, middle.d);
   // Equalities may still contradict; standing still enters nothing.
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (kept[i].equality || dot(kept[i].normal, result.d) + kept[i].slack > -kEntered) continue;
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    if (isEquality(i) || dot(kept.normalOf(i), result.d) + kept.slack[i] > -kEntered) continue;
     result.d = {};
     break;
   }
   result.status = middle.status;
-  for (std::size_t i = 0; i < rows.size(); ++i) result.multiplier[i] += middle.multiplier[i];
+  result.active = {};
+  for (std::size_t i = 0; i < rows.count; ++i) result.multiplier[i] += middle.multiplier[i];
   result.active_count = std::max(result.active_count, middle.active_count);
   return result;
+}
+
+SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
+  return nearestUnentered(arraysOf(rows), d0);
 }
 
 }  // namespace hapticell::haptic

@@ -40,6 +40,10 @@ void EntryArrays::take(const ConstraintSet& set) {
     velocity[0][i] = c.velocity_D.x;
     velocity[1][i] = c.velocity_D.y;
     velocity[2][i] = c.velocity_D.z;
+    stiffness[i] = c.stiffness;
+    damping[i] = c.damping;
+    friction[i] = c.friction;
+    reach[i] = c.reach;
     const bool is_equality = c.kind == ConstraintKind::kEquality, is_trimmed = c.has_trim && !is_equality;
     pulls |= std::uint64_t{c.kind == ConstraintKind::kPull} << i;
     equalities |= std::uint64_t{is_equality} << i;
@@ -52,6 +56,14 @@ void EntryArrays::take(const ConstraintSet& set) {
     trim_gap[i] = is_trimmed ? c.trim_gap : 0.0;
     for (std::size_t k = 0; k < 6; ++k) trim_gradient[k][i] = is_trimmed ? c.trim_gradient[k] : 0.0;
   }
+}
+
+Constraint EntryArrays::surfaceOf(std::size_t i) const {
+  Constraint surface;
+  surface.gap = gap[i];
+  for (std::size_t k = 0; k < 6; ++k) surface.gradient[k] = gradient[k][i];
+  for (std::size_t k = 0; k < 21; ++k) surface.curvature[k] = curvature[k][i];
+  return surface;
 }
 
 void makeRows(const EntryArrays& entries, const Vector6& xi, double age, EntryRows& rows) noexcept {

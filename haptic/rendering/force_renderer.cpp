@@ -58,6 +58,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
+  held_by_ = {};
   trust_D_ = {};
   velocities_.reset();
   gains_.reset(options_);
@@ -68,7 +69,15 @@ void ForceRenderer::reset(const Pose& X_DS) {
 }
 
 Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
-  if (!isWellFormed(set)) return Adoption::kMalformed;
+  return isWellFormed(set) ? offer(set, age) : Adoption::kMalformed;
+}
+
+Adoption ForceRenderer::adopt(const GroupedSet& set, double age) {
+  return set.well_formed ? offer(set, age) : Adoption::kMalformed;
+}
+
+template <typename Set>
+Adoption ForceRenderer::offer(const Set& set, double age) {
   if (sets_.isOutdated(set.sequence)) return Adoption::kOutdated;
   if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= kTrustedShare * set.zone_radius)
     return Adoption::kOutsideZone;
@@ -91,7 +100,7 @@ MetricVector ForceRenderer::stretchOf(const ProxyStep& solved, const Pose& X_DS)
 ProxyStep ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
   ProxyStep solved = mover_.move(sets_.next(), proxy_, X_DS, dt);
   if (sets_.holds()) {
-    const ProxyStep before = mover_.move(sets_.current(), proxy_, X_DS, dt);
+    const ProxyStep before = mover_.move(sets_.current(), proxy_, X_DS, dt, held_by_);
     const MetricVector stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
     spring_.changeStretch(stretch_before, stretch_after);
     jump = {mover_.way(solved.X_DP, before.X_DP), stretch_after - stretch_before, solved.trust_D - before.trust_D};
@@ -132,7 +141,7 @@ dvec3 ForceRenderer::pullOf(const Pose& X_DS, bool changed, double dt, const dve
   dvec3 pull_D(0.0);
   if (sets_.holds()) {
     const GroupedSet& grouped = sets_.current();
-    inside = lengthOf(metricDifference(X_DS, grouped.set.X_DR)) < grouped.set.zone_radius;
+    inside = lengthOf(metricDifference(X_DS, grouped.X_DR)) < grouped.zone_radius;
     if (inside) pull_D = grouped.pullAt(X_DS);
   }
   const bool crossed = std::exchange(pulls_inside_, inside) != inside;
@@ -190,7 +199,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   if (changed)
     solved = changeSet(X_DS, dt, jump);
   else if (sets_.holds())
-    solved = mover_.move(sets_.current(), proxy_, X_DS, dt);
+    solved = mover_.move(sets_.current(), proxy_, X_DS, dt, held_by_);
 
   if (!isFiniteStep(solved)) return endWithoutSet(proxy_, X_DS);
   const Pose X_DPLast = proxy_;
@@ -205,6 +214,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   velocities_.add(stylus_step, catches_up ? stylus_step : proxy_step, options_.stiffness, dt);
   updateSpring(solved, stylus_step, dt);
   proxy_ = solved.X_DP;
+  held_by_ = solved.held_by;
   stylus_ = X_DS;
   contact_ = solved.contact;
   late_ = late;

@@ -60,7 +60,7 @@ enum class Adoption : std::uint8_t {
 /// last valid proxy and without force, and drops the set and everything computed from it (RenderResult::dropped).
 ///
 /// In free motion (no active row, no offset) the force is exactly zero. Owned by the force loop's thread; reset(),
-/// adopt(), setOptions() and tick() do not allocate, lock or throw. Needs about 60 kB.
+/// adopt(), setOptions() and tick() do not allocate, lock or throw. Needs about 50 kB.
 class ForceRenderer {
  public:
   explicit ForceRenderer(const RendererOptions& options = {}) { setOptions(options); }
@@ -75,6 +75,8 @@ class ForceRenderer {
   /// Offers a new set; it takes effect in the next tick. With any result but kAdopted nothing changes. `age` (s,
   /// limited to 1): how long ago the set was made, for its moving obstacles.
   Adoption adopt(const ConstraintSet& set, double age = 0.0);
+  /// The same of a set that another thread has prepared (GroupedSet::prepare()): a third of the work.
+  Adoption adopt(const GroupedSet& set, double age);
 
   /// One step of `dt` seconds (nominally 0.001). A pose that is not valid counts as the last valid one.
   RenderResult tick(const Pose& X_DS, double dt);
@@ -109,6 +111,8 @@ class ForceRenderer {
     MetricVector proxy_D, stretch_D, trust_D;
   };
 
+  template <typename Set>
+  Adoption offer(const Set& set, double age);
   ProxyStep changeSet(const Pose& X_DS, double dt, SetJump& jump);
   bool isLate(const ProxyStep& solved) const;
   MetricVector stretchOf(const ProxyStep& solved, const Pose& X_DS) const;
@@ -129,6 +133,7 @@ class ForceRenderer {
   bool started_ = false;
   Pose proxy_;
   Pose stylus_;
+  ActiveRows held_by_;    ///< Of the last tick: see ProxyStep::held_by.
   MetricVector trust_D_;  ///< Of the last tick: see ProxyStep::trust_D.
   FilteredVelocities velocities_;
   CouplingGains gains_;

@@ -19,9 +19,10 @@ constexpr double kTouches = 2e-5;       // m. Half and twice pass the tests of t
 
 void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result) {
   active_rows = result.active_count;
-  const std::size_t last = rows.count - 1;
+  held_by = result.active;
+  const std::size_t last = rows.row.count - 1;
   trust = result.multiplier[last] != 0.0;
-  trust_D = result.multiplier[last] * metricVector(rows.row[last].normal);
+  trust_D = result.multiplier[last] * metricVector(rows.row.normalOf(last));
   contact = false;
   friction = stiffness = damping = 0.0;
   v_DO = dvec3(0.0);
@@ -31,16 +32,17 @@ void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const Sol
   for (std::size_t i = 0; i < last; ++i) {
     const double press = std::abs(result.multiplier[i]);
     if (press <= 0.0) continue;
-    const Constraint& constraint = grouped.set.constraints[rows.entry[i]];
+    const EntryArrays& entries = grouped.arrays;
+    const std::size_t entry = rows.entry[i];
     contact = true;
     pressing.set(i);
-    noteOutrun(constraint, press);
+    noteOutrun(entries, entry, press);
     pressed += press;
-    friction += press * constraint.friction;
-    v_DO += press * constraint.velocity_D;
-    damping = std::max(damping, constraint.damping);
-    if (constraint.stiffness > 0.0)
-      stiffness = stiffness > 0.0 ? std::min(stiffness, constraint.stiffness) : constraint.stiffness;
+    friction += press * entries.friction[entry];
+    v_DO += press * entries.velocityOf(entry);
+    damping = std::max(damping, entries.damping[entry]);
+    const double asked = entries.stiffness[entry];
+    if (asked > 0.0) stiffness = stiffness > 0.0 ? std::min(stiffness, asked) : asked;
   }
   if (pressed <= 0.0) return;
   friction /= pressed;
@@ -48,10 +50,11 @@ void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const Sol
 }
 
 /// On a convex surface of radius R a stylus that is d deep goes R - d while the proxy goes R.
-void ProxyStep::noteOutrun(const Constraint& constraint, double press) {
-  const SymmetricMatrix6& B = constraint.curvature;
-  const double size = std::max(glm::length(linearPart(constraint.gradient)), 1e-9);
-  const double bulge = std::max({0.0, B[0], B[6], B[11]}) / size;
+void ProxyStep::noteOutrun(const EntryArrays& entries, std::size_t entry, double press) {
+  const dvec3 along(entries.gradient[0][entry], entries.gradient[1][entry], entries.gradient[2][entry]);
+  const double size = std::max(glm::length(along), 1e-9);
+  const auto& B = entries.curvature;
+  const double bulge = std::max({0.0, B[0][entry], B[6][entry], B[11][entry]}) / size;
   outrun = std::max(outrun, 1.0 / std::max(1.0 - bulge * press, 1.0 / kLargestOutrun));
 }
 
@@ -64,17 +67,19 @@ MetricVector ProxyMover::way(const Pose& X_DB, const Pose& X_DA) const {
   return turning_ ? metricVector(metricDifference(X_DB, X_DA)) : MetricVector{X_DB.p - X_DA.p, dvec3(0.0)};
 }
 
-ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Pose& X_DS, double dt) const {
+ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Pose& X_DS, double dt,
+                           const ActiveRows& held_by) const {
   ProxyStep step;
   step.X_DP = X_DP;
+  step.held_by = held_by;
   ProxyRows rows;
   Touching began;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Vector6 wanted = metricDifference(X_DS, step.X_DP);
     rows.gather(grouped, step.X_DP);
-    for (std::size_t i = 0; iteration == 0 && i + 1 < rows.count; ++i) began.set(i, rows.row[i].slack < kTouches);
+    for (std::size_t i = 0; iteration == 0 && i + 1 < rows.row.count; ++i) began.set(i, rows.row.slack[i] < kTouches);
     if (rows.tied()) rows.settle(wanted);
-    const SolverResult result = nearestUnentered(rows.all(), wanted);
+    const SolverResult result = nearestUnentered(rows.row, wanted, step.held_by);
     MetricVector d = metricVector(result.d);
     step.X_DG = displacedInMetric(step.X_DP, result.d);
     step.depth = length(felt(metricVector(wanted) - d));
@@ -86,7 +91,7 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
       step.lag_D = felt((1.0 - kLongestMove / size) * d);
       d *= kLongestMove / size;
     }
-    const MetricVector kept = keptInZone(grouped.set, step, d);
+    const MetricVector kept = keptInZone(grouped.zone_radius, rows.from_reference, d, step);
     // Free to the last bit, so that free motion costs exactly nothing.
     const bool free = result.active_count == 0 && size <= kLongestMove && kept == d;
     step.X_DP = free ? X_DS : displacedInMetric(step.X_DP, asVector6(kept));
@@ -99,10 +104,11 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
 /// The trust row is the zone's edge to first order only, and far off where the zone is smaller than a step. The zone is
 /// round: along its edge a step counts as much less as the stylus is outside (Newton's step there). And nothing is
 /// known beyond it: what of the step would lead out, the zone holds back.
-MetricVector ProxyMover::keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const {
-  const MetricVector from = metricVector(metricDifference(step.X_DP, set.X_DR));
-  const double radius = std::max(set.zone_radius, length(from));
-  double share = 1.0 / (1.0 + length(step.trust_D) / set.zone_radius);
+MetricVector ProxyMover::keptInZone(double zone_radius, const Vector6& from_reference, const MetricVector& d,
+                                    ProxyStep& step) const {
+  const MetricVector from = metricVector(from_reference);
+  const double radius = std::max(zone_radius, length(from));
+  double share = 1.0 / (1.0 + length(step.trust_D) / zone_radius);
   const double size = share * share * dot(d, d), along = share * dot(from, d);
   if (size > 0.0 && length(from + share * d) > radius) {
     const double room = std::max(0.0, radius * radius - dot(from, from));
@@ -139,15 +145,15 @@ void ProxyMover::goOn(const GroupedSet& grouped, const Touching& began, double m
   ProxyRows rows;
   rows.gather(grouped, step.X_DP);
   const bool arrives = (began & step.pressing).none();
-  for (std::size_t i = 0; arrives && i + 1 < rows.count; ++i) {
-    rows.row[i].equality = rows.row[i].equality || step.pressing[i];
+  for (std::size_t i = 0; arrives && i + 1 < rows.row.count; ++i) {
+    if (step.pressing[i]) rows.row.both_ways[i] = 1.0;
   }
-  const SolverResult solved = nearestUnentered(rows.all(), Vector6{});
+  const SolverResult solved = nearestUnentered(rows.row, Vector6{}, step.held_by);
   if (solved.active_count == 0) return;
   MetricVector d = metricVector(solved.d);
   // Friction leaves it inside by hardly anything; rows that contradict each other would send it anywhere.
   d = limited(d, arrives ? most : kLongestMove);
-  step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.set, step, d)));
+  step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.zone_radius, rows.from_reference, d, step)));
 }
 
 }  // namespace hapticell::haptic

@@ -27,11 +27,12 @@ struct ProxyStep {
   double outrun = 1.0;     ///< How much faster than the stylus the proxy moves along a surface that bulges towards it.
   dvec3 v_DO{0.0};         ///< Velocity of the touched obstacles, weighted by how hard they press, m/s.
   std::bitset<kMaxConstraints> pressing;  ///< The groups whose rows hold it.
+  ActiveRows held_by;                     ///< Where the search for the next step of the same set should begin.
 
   void note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result);
 
  private:
-  void noteOutrun(const Constraint& constraint, double press);
+  void noteOutrun(const EntryArrays& entries, std::size_t entry, double press);
 };
 
 /// Moves proxies (god-objects; C. Zilles, K. Salisbury, 1995) from their last pose towards the stylus, inside one
@@ -44,8 +45,9 @@ class ProxyMover {
   void setTurning(bool turning) { turning_ = turning; }
   bool turning() const { return turning_; }
 
-  /// One step of `dt` seconds from X_DP towards X_DS.
-  ProxyStep move(const GroupedSet& grouped, const Pose& X_DP, const Pose& X_DS, double dt) const;
+  /// One step of `dt` seconds from X_DP towards X_DS. `held_by`: that of the last step of the same set.
+  ProxyStep move(const GroupedSet& grouped, const Pose& X_DP, const Pose& X_DS, double dt,
+                 const ActiveRows& held_by = {}) const;
   /// The motion from X_DA to X_DB that can be felt: without rotation if the device does not drive it.
   MetricVector way(const Pose& X_DB, const Pose& X_DA) const;
 
@@ -55,7 +57,8 @@ class ProxyMover {
   void applyFriction(const GroupedSet& grouped, const Pose& from, const Touching& began, ProxyStep& step,
                      double dt) const;
   void goOn(const GroupedSet& grouped, const Touching& began, double most, ProxyStep& step) const;
-  MetricVector keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const;
+  MetricVector keptInZone(double zone_radius, const Vector6& from_reference, const MetricVector& d,
+                          ProxyStep& step) const;
   MetricVector felt(MetricVector v) const;
   bool turning_ = false;
 };

@@ -17,94 +17,111 @@ constexpr double kFastest = 10.0;                              // m/s of an obst
 /// m: more than what a solved row is off, less than anything is thick. Half fails
 /// ProxyMover.SlidesOverAFlushSeamAndStopsAtAStep, twice passes.
 constexpr double kOn = 1e-6;
+/// A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
+constexpr SolverRow kNeverBites{{}, 1.0, false};
 
 }  // namespace
 
+void GroupedSet::prepare(const ConstraintSet& wanted) {
+  well_formed = isWellFormed(wanted);
+  if (well_formed) take(wanted);
+}
+
 void GroupedSet::take(const ConstraintSet& wanted) {
-  set.sequence = wanted.sequence;
-  set.stamp_ns = wanted.stamp_ns;
-  set.X_DR = wanted.X_DR;
-  set.zone_radius = wanted.zone_radius;
-  set.count = wanted.count;
-  std::copy_n(wanted.constraints.begin(), wanted.count, set.constraints.begin());
-  for (std::size_t i = 0; i < set.count; ++i) {
-    // Faster than anything in a workcell is an error; it must not carry a row away to infinity.
-    dvec3& velocity = set.constraints[i].velocity_D;
-    velocity = glm::clamp(velocity, dvec3(-kFastest), dvec3(kFastest));
+  sequence = wanted.sequence;
+  stamp_ns = wanted.stamp_ns;
+  X_DR = wanted.X_DR;
+  zone_radius = wanted.zone_radius;
+  count = wanted.count;
+  well_formed = true;
+  arrays.take(wanted);
+  // Faster than anything in a workcell is an error; it must not carry a row away to infinity.
+  for (auto& along : arrays.velocity) {
+    for (std::size_t i = 0; i < arrays.count; ++i) along[i] = std::clamp(along[i], -kFastest, kFastest);
   }
-  arrays.take(set);
   groups = 0;
   std::array<std::uint32_t, kMaxConstraints> group{};
-  for (std::size_t i = 0; i < set.count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto begin = group.begin(), end = begin + static_cast<std::ptrdiff_t>(groups);
-    const auto found = std::find(begin, end, set.constraints[i].group);
+    const auto found = std::find(begin, end, wanted.constraints[i].group);
     row_of[i] = static_cast<std::uint8_t>(found - begin);
-    if (found == end) group[groups++] = set.constraints[i].group;
+    if (found == end) group[groups++] = wanted.constraints[i].group;
   }
+  each_alone = groups == count && arrays.pulls == 0;
 }
 
 dvec3 GroupedSet::pullAt(const Pose& X_DS) const {
   dvec3 pull(0.0);
   if (arrays.pulls == 0) return pull;
-  const Twist motion = difference(X_DS, set.X_DR);
+  const Twist motion = difference(X_DS, X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   for (std::uint64_t left = arrays.pulls; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const Constraint& c = set.constraints[i];
-    if (c.reach <= 0.0) continue;
+    const double reach = arrays.reach[i];
+    if (reach <= 0.0) continue;
     Vector6 gradient{};
-    const double value = evaluateWithGradient(c, seenFrom(i, xi), gradient);
+    const double value = evaluateWithGradient(arrays.surfaceOf(i), seenFrom(i, xi), gradient);
     const dvec3 along = linearPart(gradient);
     const double length = glm::length(along);
-    if (!(std::abs(value) < c.reach) || length < 1e-9) continue;
-    const double part = value / c.reach;
-    pull -= std::min(c.stiffness, kStiffestPull) * value * (1.0 - part * part) / length * along;
+    if (!(std::abs(value) < reach) || length < 1e-9) continue;
+    const double part = value / reach;
+    pull -= std::min(arrays.stiffness[i], kStiffestPull) * value * (1.0 - part * part) / length * along;
   }
   const double size = glm::length(pull);
   return size > kStrongestPull ? pull * (kStrongestPull / size) : pull;
 }
 
 Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
-  const dvec3 gone = age * set.constraints[entry].velocity_D;
+  const dvec3 gone = age * arrays.velocityOf(entry);
   return {xi[0] - gone.x, xi[1] - gone.y, xi[2] - gone.z, xi[3], xi[4], xi[5]};
 }
 
 void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
-  const Twist motion = difference(X_DP, grouped.set.X_DR);
+  const Twist motion = difference(X_DP, grouped.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
-  count = grouped.groups;
-  touched_count_ = 0;
+  from_reference = joined(motion.linear, kRotationLever * motion.angular);
+  row.count = grouped.groups;
+  touched_count_ = tied_count_ = 0;
+  if (grouped.each_alone)
+    gatherEach(grouped, xi);
+  else
+    gatherFreest(grouped, xi);
+  addTrustRow(grouped.zone_radius);
+  row.fillLastVector();
+}
+
+void ProxyRows::gatherEach(const GroupedSet& grouped, const Vector6& xi) {
+  makeRows(grouped.arrays, xi, grouped.age, row);
+  for (std::size_t i = 0; i < row.count; ++i) {
+    entry[i] = static_cast<std::uint8_t>(i);
+    row.both_ways[i] = EntryArrays::has(grouped.arrays.equalities, i) ? 1.0 : 0.0;
+    if (row.length[i] < kLeastSlope) row.put(i, kNeverBites);
+  }
+}
+
+void ProxyRows::gatherFreest(const GroupedSet& grouped, const Vector6& xi) {
   makeRows(grouped.arrays, xi, grouped.age, made_);
-  for (std::size_t i = 0; i < count; ++i) row[i].slack = -1e9;
-  for (std::size_t i = 0; i < grouped.set.count; ++i) {
+  std::array<double, kMaxConstraints> freest;
+  std::fill_n(freest.begin(), row.count, -1e9);
+  for (std::size_t i = 0; i < grouped.count; ++i) {
     if (EntryArrays::has(grouped.arrays.pulls, i) || made_.length[i] < kLeastSlope) continue;
-    offer(grouped, i);
+    noteTouched(grouped, i);
+    const std::uint8_t slot = grouped.row_of[i];
+    if (!(made_.slack[i] > freest[slot])) continue;
+    freest[slot] = made_.slack[i];
+    entry[slot] = static_cast<std::uint8_t>(i);
+  }
+  for (std::size_t i = 0; i < row.count; ++i) {
+    made_.both_ways[entry[i]] = EntryArrays::has(grouped.arrays.equalities, entry[i]) ? 1.0 : 0.0;
+    row.put(i, freest[i] < -1e8 ? kNeverBites : made_.at(entry[i]));
   }
   countTied();
-  // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
-  for (std::size_t i = 0; i < count; ++i) {
-    if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};
-  }
-  addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
 }
 
-void ProxyRows::offer(const GroupedSet& grouped, std::size_t index) {
-  const std::uint8_t slot = grouped.row_of[index];
-  const double slack = made_.slack[index];
-  const bool equality = EntryArrays::has(grouped.arrays.equalities, index);
-  if (std::abs(slack) <= kOn && !EntryArrays::has(grouped.arrays.trims, index) && !equality)
-    touched_[touched_count_++] = {slot, static_cast<std::uint8_t>(index)};
-  if (!(slack > row[slot].slack)) return;
-  row[slot] = rowOf(index, equality);
-  entry[slot] = static_cast<std::uint8_t>(index);
-}
-
-SolverRow ProxyRows::rowOf(std::size_t index, bool equality) const {
-  SolverRow of;
-  for (std::size_t i = 0; i < 6; ++i) of.normal[i] = made_.normal[i][index];
-  of.slack = made_.slack[index];
-  of.equality = equality;
-  return of;
+void ProxyRows::noteTouched(const GroupedSet& grouped, std::size_t index) {
+  if (std::abs(made_.slack[index]) > kOn) return;
+  if (EntryArrays::has(grouped.arrays.trims | grouped.arrays.equalities, index)) return;
+  touched_[touched_count_++] = {grouped.row_of[index], static_cast<std::uint8_t>(index)};
 }
 
 void ProxyRows::countTied() {
@@ -119,13 +136,13 @@ void ProxyRows::countTied() {
 }
 
 void ProxyRows::settle(const Vector6& wanted) {
-  std::array<SolverRow, kMaxRows> others;
-  std::size_t other_count = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i + 1 == count || !is_tied_[i]) others[other_count++] = row[i];
+  RowArrays others;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    if (i + 1 == row.count || !is_tied_[i]) others.add(row.at(i));
   }
-  const SolverResult result = nearestUnentered({others.data(), other_count}, wanted);
-  const auto* const end = result.multiplier.begin() + static_cast<std::ptrdiff_t>(other_count) - 1;
+  others.fillLastVector();
+  const SolverResult result = nearestUnentered(others, wanted);
+  const auto* const end = result.multiplier.begin() + static_cast<std::ptrdiff_t>(others.count) - 1;
   if (std::all_of(result.multiplier.begin(), end, [](double multiplier) { return multiplier == 0.0; })) return;
   const auto leftBy = [&](const SolverRow& of) {
     double left = of.slack;
@@ -135,19 +152,18 @@ void ProxyRows::settle(const Vector6& wanted) {
   for (std::size_t k = 0; k < touched_count_; ++k) {
     const Touched& touched = touched_[k];
     if (!is_tied_[touched.slot]) continue;
-    const SolverRow other = rowOf(touched.entry, false);
-    if (leftBy(other) <= leftBy(row[touched.slot])) continue;
-    row[touched.slot] = other;
+    const SolverRow other{made_.normalOf(touched.entry), made_.slack[touched.entry], false};
+    if (leftBy(other) <= leftBy(row.at(touched.slot))) continue;
+    row.put(touched.slot, other);
     entry[touched.slot] = touched.entry;
   }
 }
 
-void ProxyRows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {
+void ProxyRows::addTrustRow(double zone_radius) {
   const double distance = lengthOf(from_reference);
-  SolverRow& trust = row[count++];
-  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kTrustedShare * set.zone_radius - distance, false};
-  if (distance < 1e-9) return;
-  for (std::size_t i = 0; i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
+  SolverRow trust{{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kTrustedShare * zone_radius - distance, false};
+  for (std::size_t i = 0; distance >= 1e-9 && i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
+  row.add(trust);
 }
 
 }  // namespace hapticell::haptic

@@ -12,15 +12,24 @@
 
 namespace hapticell::haptic {
 
-/// A constraint set with the group number of each entry. For the force loop; does not allocate.
+/// A constraint set as the force loop reads it: its entries number by number, and the group number of each. Whoever
+/// receives a set makes it, so that the force loop only copies it. Does not allocate; about 24 kB.
 struct GroupedSet {
-  ConstraintSet set;
+  std::uint64_t sequence = 0;
+  std::int64_t stamp_ns = 0;
+  Pose X_DR;
+  double zone_radius = kWantedZoneRadius;
+  std::size_t count = 0;
   std::array<std::uint8_t, kMaxConstraints> row_of{};
   std::size_t groups = 0;
-  double age = 0.0;    ///< s since the set was made; its moving obstacles have moved for this time.
-  EntryArrays arrays;  ///< Of the set's entries.
+  bool each_alone = true;   ///< Each entry is a group of its own, and none a pull.
+  bool well_formed = true;  ///< Of the set that was prepared last; if not, the rest is that of the one before.
+  double age = 0.0;         ///< s since the set was made; its moving obstacles have moved for this time.
+  EntryArrays arrays;       ///< Of the set's entries.
 
-  /// Copies a well-formed set (only its used entries) and numbers its groups.
+  /// Takes a set from outside if it is well-formed.
+  void prepare(const ConstraintSet& wanted);
+  /// Takes a well-formed set and numbers its groups.
   void take(const ConstraintSet& wanted);
   /// Force of the entries of kind kPull on a stylus at X_DS, N; bounded.
   dvec3 pullAt(const Pose& X_DS) const;
@@ -35,11 +44,10 @@ inline constexpr double kTrustedShare = 0.995;
 /// The half-spaces of one set around one proxy pose: one row per group, from the group's freest entry, and last the
 /// trust row, which keeps the proxy inside the set's zone.
 struct ProxyRows {
-  std::array<SolverRow, kMaxRows> row;
+  EntryRows row;                               ///< Without lengths.
   std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry from which each group's row was made.
-  std::size_t count = 0;
+  Vector6 from_reference{};                    ///< Of the pose, in the metric.
 
-  std::span<const SolverRow> all() const { return {row.data(), count}; }
   void gather(const GroupedSet& grouped, const Pose& X_DP);
 
   /// True if, within a micrometre, the proxy is also on another entry of a group than the freest one; either entry is
@@ -54,16 +62,17 @@ struct ProxyRows {
   void settle(const Vector6& wanted);
 
  private:
-  void offer(const GroupedSet& grouped, std::size_t index);
-  SolverRow rowOf(std::size_t index, bool equality) const;
-  void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
+  void gatherEach(const GroupedSet& grouped, const Vector6& xi);
+  void gatherFreest(const GroupedSet& grouped, const Vector6& xi);
+  void noteTouched(const GroupedSet& grouped, std::size_t index);
+  void addTrustRow(double zone_radius);
   void countTied();
 
   /// An entry that the proxy is on.
   struct Touched {
     std::uint8_t slot = 0, entry = 0;
   };
-  EntryRows made_;  ///< Of all entries.
+  EntryRows made_;  ///< Of all entries, where groups have several.
   std::array<Touched, kMaxConstraints> touched_;
   std::size_t touched_count_ = 0;
   std::array<bool, kMaxRows> is_tied_{};

@@ -25,13 +25,21 @@ void SetSlots::advance(double dt) {
 }
 
 bool SetSlots::isOutdated(std::uint64_t sequence) const {
-  return has_set_ && since_change_ < kOrderLasts && sequence < current().set.sequence;
+  return has_set_ && since_change_ < kOrderLasts && sequence < current().sequence;
 }
 
 void SetSlots::offer(const ConstraintSet& set, double age) {
-  GroupedSet& slot = sets_[1 - current_];
-  slot.take(set);
-  slot.age = std::isfinite(age) ? std::clamp(age, 0.0, kOldestAge) : 0.0;
+  sets_[1 - current_].take(set);
+  offerNext(age);
+}
+
+void SetSlots::offer(const GroupedSet& set, double age) {
+  sets_[1 - current_] = set;
+  offerNext(age);
+}
+
+void SetSlots::offerNext(double age) {
+  sets_[1 - current_].age = std::isfinite(age) ? std::clamp(age, 0.0, kOldestAge) : 0.0;
   offered_ = true;
 }
 

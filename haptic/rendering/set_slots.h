@@ -11,7 +11,7 @@ namespace hapticell::haptic {
 
 /// The constraint set in use and the one offered last, until the next tick changes them.
 ///
-/// Force loop's thread; never allocates, locks or throws. About 60 kB.
+/// Force loop's thread; never allocates, locks or throws. About 50 kB.
 class SetSlots {
  public:
   /// Forgets both.
@@ -23,6 +23,7 @@ class SetSlots {
   bool isOutdated(std::uint64_t sequence) const;
   /// `age` (s, limited to 1): how long ago the set was made.
   void offer(const ConstraintSet& set, double age);
+  void offer(const GroupedSet& set, double age);
   /// Puts the offered set into use.
   void change();
 
@@ -30,9 +31,11 @@ class SetSlots {
   bool offered() const { return offered_; }
   const GroupedSet& current() const { return sets_[current_]; }
   const GroupedSet& next() const { return sets_[1 - current_]; }  ///< The offered one.
-  std::uint64_t sequence() const { return has_set_ ? current().set.sequence : 0; }
+  std::uint64_t sequence() const { return has_set_ ? current().sequence : 0; }
 
  private:
+  void offerNext(double age);
+
   std::array<GroupedSet, 2> sets_{};
   std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
   bool has_set_ = false;

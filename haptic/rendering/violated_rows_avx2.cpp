@@ -4,9 +4,9 @@
 
 namespace hapticell::haptic {
 
-bool worstRowByAvx2(const RowArrays& rows, const double* d, double tolerance, std::size_t& row);
-bool worstRowByAvx2(const RowArrays& rows, const double* d, double tolerance, std::size_t& row) {
-  return worstRowOf(rows, d, tolerance, row);
+bool worstRowByAvx2(const RowArrays& rows, const double* barred, const double* d, double tolerance, std::size_t& row);
+bool worstRowByAvx2(const RowArrays& rows, const double* barred, const double* d, double tolerance, std::size_t& row) {
+  return worstRowOf(rows, barred, d, tolerance, row);
 }
 
 }  // namespace hapticell::haptic

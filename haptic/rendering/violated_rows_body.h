@@ -8,7 +8,7 @@
 namespace hapticell::haptic {
 namespace {
 
-bool worstRowOf(const RowArrays& rows, const double* d, double tolerance, std::size_t& row) {
+bool worstRowOf(const RowArrays& rows, const double* barred, const double* d, double tolerance, std::size_t& row) {
   alignas(64) double left[RowArrays::kMost];
   Lanes least = -tolerance + Lanes{};
   for (std::size_t first = 0; first < rows.count; first += kLanes) {
@@ -17,7 +17,7 @@ bool worstRowOf(const RowArrays& rows, const double* d, double tolerance, std::s
     value += load(&rows.slack[first]);
     const Lanes off = value < 0.0 ? value : -value;
     value = load(&rows.both_ways[first]) > 0.0 ? off : value;
-    value += load(&rows.barred[first]);
+    value += load(&barred[first]);
     store(&left[first], value);
     least = value < least ? value : least;
   }

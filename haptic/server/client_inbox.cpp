@@ -13,6 +13,13 @@ void ClientInbox::open(std::int64_t now) noexcept {
   session_.store(++last_session_, std::memory_order_release);
 }
 
+void ClientInbox::submit(const ConstraintSet& set) noexcept {
+  Incoming<GroupedSet>& incoming = sets_.buffer.writeSlot();
+  incoming.session = last_session_;
+  incoming.value.prepare(set);
+  sets_.buffer.publish();
+}
+
 bool ClientInbox::beginSession() noexcept {
   const std::uint64_t session = session_.load(std::memory_order_acquire);
   if (session == 0 || session == begun_) return false;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "haptic/protocol/messages.h"
-#include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/proxy_rows.h"
 #include "haptic/rendering/triple_buffer.h"
 
 namespace hapticell::haptic {
@@ -22,7 +22,8 @@ class ClientInbox {
   void heard(std::int64_t now) noexcept { last_heard_.store(now, std::memory_order_relaxed); }
   /// Sets how long this client may be silent, s; 0: as in the loop's options.
   void expectWithin(double seconds) noexcept { silence_limit_.store(seconds, std::memory_order_relaxed); }
-  void submit(const ConstraintSet& set) noexcept { put(sets_, set); }
+  /// Checks and prepares the set here, so that the force thread need not.
+  void submit(const ConstraintSet& set) noexcept;
   void submit(const HapticControl& control) noexcept { put(controls_, control); }
   void submit(const HandTarget& target) noexcept { put(targets_, target); }
 
@@ -33,7 +34,7 @@ class ClientInbox {
   double silence(std::int64_t now) const noexcept;  ///< s since the client's last sign of life.
   double silenceLimit() const noexcept { return silence_limit_.load(std::memory_order_relaxed); }
   /// The newest message of the current session, once; null if there is no new one.
-  const ConstraintSet* takeSet() noexcept { return take(sets_); }
+  const GroupedSet* takeSet() noexcept { return take(sets_); }
   const HapticControl* takeControl() noexcept { return take(controls_); }
   const HandTarget* takeHandTarget() noexcept { return take(targets_); }
 
@@ -70,7 +71,7 @@ class ClientInbox {
   std::atomic<double> silence_limit_{0.0};
   std::uint64_t last_session_ = 0;  // Link thread only.
   std::uint64_t begun_ = 0;         // Force thread only: the session whose messages it uses.
-  Slot<ConstraintSet> sets_;
+  Slot<GroupedSet> sets_;
   Slot<HapticControl> controls_;
   Slot<HandTarget> targets_;
 };

@@ -78,7 +78,7 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
     if (control_.damping > 0.0) wanted.damping = control_.damping;
     renderer_.setOptions(wanted);
   }
-  if (const ConstraintSet* set = inbox_.takeSet()) {
+  if (const GroupedSet* set = inbox_.takeSet()) {
     // What moves has gone on since: the client's stamp is in this loop's clock.
     const double age = set->stamp_ns != 0 ? kSecondsPerNanosecond * static_cast<double>(now - set->stamp_ns) : 0.0;
     // A refused set does not count: the rendered one only grows older.

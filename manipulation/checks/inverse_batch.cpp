@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "manipulation/checks/inverse_batch.h"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -15,8 +16,7 @@ namespace hapticell::manipulation {
 
 namespace {
 
-/// Poses that one set of queries answers one after another. Half: more cold queries; twice: fewer blocks to share out
-/// among many cores.
+/// Poses that a thread answers one after another. Half: more to share out; twice: fewer blocks for many cores.
 constexpr std::size_t kInverseBlock = 64;
 
 /// Lowers `least` to `value`.
@@ -72,8 +72,9 @@ Expected<InverseBatch> freeInverse(std::shared_ptr<const PreparedScene> scene, w
   batch.base_contact = check->baseContact();
   batch.answers.resize(poses.size());
   std::atomic<std::size_t> first_missing{poses.size()};
+  tbb::enumerable_thread_specific<JointCheck> checks([&] { return check->fresh(); });
   const auto solve = [&](std::size_t block) {
-    JointCheck own = check->fresh();
+    JointCheck& own = checks.local();
     const std::size_t end = std::min(poses.size(), (block + 1) * kInverseBlock);
     for (std::size_t i = block * kInverseBlock; i < end; ++i) {
       if (options.until_missing && i > first_missing) return;

@@ -174,8 +174,9 @@ void JointCheck::leaveOutTouching(Plan& plan, RestContacts which) {
   plan.note = plan.note.empty() ? touching : Text("%1; %2", plan.note, touching);
 }
 
+/// A copy: its queries begin anew, what is made once of each mesh is shared (InnerBalls).
 JointCheck JointCheck::fresh() const {
-  return JointCheck(plan_);
+  return *this;
 }
 
 void JointCheck::place(const std::vector<double>& joints, collision::Scene& scene) {

@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "geometry/system/assertion.h"
+#include "geometry/system/file_bytes.h"
 #include "geometry/system/text_case.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_care.h"
 #include "workcell/meshes/mesh_formats.h"
 #include "workcell/meshes/obj_materials.h"
-#include "workcell/text/file_content.h"
+#include "workcell/text/read_record.h"
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -117,6 +118,12 @@ Error unreadable(std::string_view content) {
           .fix = "Export it in one of these formats."};
 }
 
+Expected<geometry::FileBytes> readBytes(const std::filesystem::path& path) {
+  auto content = geometry::FileBytes::read(path);
+  if (content) ReadRecord::note(path);
+  return content;
+}
+
 Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
                            Diagnostics& diagnostics) {
   if (content.empty()) return makeError({.file = name.string(), .found = "the file is empty", .expected = kReadable});
@@ -138,7 +145,9 @@ double unitOf(const RawMesh& raw, const MeshReadOptions& options) {
 /// count as merged.
 void finish(geometry::TriangleMesh& mesh, double metres_per_unit, bool shared_corners, const MeshReadOptions& options,
             geometry::WeldReport& sum) {
-  for (dvec3& vertex : mesh.vertices) vertex *= metres_per_unit;
+  if (metres_per_unit != 1.0) {
+    for (dvec3& vertex : mesh.vertices) vertex *= metres_per_unit;
+  }
   if (!options.weld) return;
   if (shared_corners) sum.merged_vertices += static_cast<std::uint32_t>(3 * mesh.triangles.size() - mesh.vertices.size());
   const geometry::WeldReport weld = geometry::weld(mesh, geometry::weldTolerance(mesh));
@@ -220,10 +229,10 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
 
 Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const MeshReadOptions& options, bool split,
                                       Diagnostics& diagnostics) {
-  Expected<std::string> content = readFileContent(path);
+  Expected<geometry::FileBytes> content = readBytes(path);
   HAPTICELL_TRY(content);
   MeshFileParts file;
-  Expected<RawMesh> raw = parseRaw(*content, path, file.format, diagnostics);
+  Expected<RawMesh> raw = parseRaw(content->view(), path, file.format, diagnostics);
   HAPTICELL_TRY(raw);
   *content = {};
   file.metres_per_unit = unitOf(*raw, options);
@@ -250,9 +259,9 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
 
 Expected<MeshFile> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                                 Diagnostics& diagnostics) {
-  const Expected<std::string> content = readFileContent(path);
+  const Expected<geometry::FileBytes> content = readBytes(path);
   HAPTICELL_TRY(content);
-  return parseMeshFile(*content, path, options, diagnostics);
+  return parseMeshFile(content->view(), path, options, diagnostics);
 }
 
 Expected<geometry::TriangleMesh> readMesh(const std::filesystem::path& path, const MeshReadOptions& options,

@@ -36,21 +36,57 @@ std::uint32_t SharedCorners::add(const dvec3& p) {
 }
 
 void SharedCorners::add(std::span<const dvec3> points, std::uint32_t* numbers) {
-  // Corners in one go: what memory answers at a time. Half: it is waited for; twice: no effect.
-  constexpr std::size_t kBatch = 24;
   std::array<std::uint32_t, kBatch> hashes{};
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
     const std::size_t count = std::min(kBatch, points.size() - begin);
     if (slots_.empty()) resize(kFewest);
-    for (std::size_t k = 0; k < count; ++k) {
-      hashes[k] = hashOf(points[begin + k]);
-      __builtin_prefetch(&slots_[hashes[k] & mask_]);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const Slot& slot = slots_[hashes[k] & mask_];
-      if (slot.vertex != kFree) __builtin_prefetch(&vertices_[slot.vertex]);
-    }
+    hashAll(points.subspan(begin, count), hashes.data());
     for (std::size_t k = 0; k < count; ++k) numbers[begin + k] = addHashed(points[begin + k], hashes[k]);
+  }
+}
+
+/// At most kBatch; fetches what addHashed() and findHashed() look at.
+void SharedCorners::hashAll(std::span<const dvec3> points, std::uint32_t* hashes) const {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    hashes[k] = hashOf(points[k]);
+    __builtin_prefetch(&slots_[hashes[k] & mask_]);
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Slot& slot = slots_[hashes[k] & mask_];
+    if (slot.vertex != kFree) __builtin_prefetch(&vertices_[slot.vertex]);
+  }
+}
+
+void SharedCorners::find(std::span<const dvec3> points, std::uint32_t* numbers) const {
+  std::fill_n(numbers, points.size(), kNone);
+  if (slots_.empty()) return;
+  std::array<std::uint32_t, kBatch> hashes{};
+  for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
+    const std::size_t count = std::min(kBatch, points.size() - begin);
+    hashAll(points.subspan(begin, count), hashes.data());
+    for (std::size_t k = 0; k < count; ++k) numbers[begin + k] = findHashed(points[begin + k], hashes[k]);
+  }
+}
+
+std::uint32_t SharedCorners::findHashed(const dvec3& p, std::uint32_t hash) const {
+  for (std::size_t place = hash & mask_; slots_[place].vertex != kFree; place = (place + 1) & mask_) {
+    const Slot& slot = slots_[place];
+    if (slot.hash == hash && hasSameBits(vertices_[slot.vertex], p)) return slot.vertex;
+  }
+  return kNone;
+}
+
+void SharedCorners::addMissing(std::span<const dvec3> points, std::uint32_t* numbers, bool last) {
+  const auto missing = static_cast<std::size_t>(std::count(numbers, numbers + points.size(), kNone));
+  vertices_.reserve(vertices_.size() + missing);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (numbers[k] != kNone) continue;
+    if (last) {
+      numbers[k] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(points[k]);
+    } else {
+      numbers[k] = add(points[k]);
+    }
   }
 }
 

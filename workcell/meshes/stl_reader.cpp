@@ -89,14 +89,18 @@ struct BinaryRange {
   }
 };
 
-/// Appends the vertices of what stands behind it in the file, and gives its triangles their numbers.
-void append(SharedCorners& whole, BinaryRange& next, std::size_t least) {
+/// Appends the vertices of what stands behind it in the file, and gives its triangles their numbers. `last`: of all.
+void append(SharedCorners& whole, BinaryRange& next, std::size_t least, bool last) {
   std::vector<std::uint32_t> numbers;
   {
     const std::vector<dvec3> vertices = next.corners.take();
     next.corners = {};
     numbers.resize(vertices.size());
-    whole.add(vertices, numbers.data());
+    geometry::inRanges(vertices.size(), geometry::rangesOf(vertices.size(), least),
+                       [&](std::size_t, std::size_t begin, std::size_t end) {
+                         whole.find(std::span(vertices).subspan(begin, end - begin), numbers.data() + begin);
+                       });
+    whole.addMissing(vertices, numbers.data(), last);
   }
   const std::span<geometry::Triangle> triangles = next.triangles;
   geometry::inRanges(triangles.size(), geometry::rangesOf(triangles.size(), least),
@@ -179,7 +183,7 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
     if (range.unusable) {
       return makeError(unusableCoordinate(triangleOf(range.unusable->first, count), range.unusable->second));
     }
-    if (&range != &ranges.front()) append(ranges.front().corners, range, kLeast);
+    if (&range != &ranges.front()) append(ranges.front().corners, range, kLeast, &range == &ranges.back());
   }
   raw.mesh.vertices = ranges.front().corners.take();
   return raw;

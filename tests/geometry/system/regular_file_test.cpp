@@ -8,8 +8,13 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <string>
 
+#include "geometry/system/file_bytes.h"
+#include "geometry/system/open_file.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::geometry {
@@ -27,13 +32,34 @@ class RegularFile : public ::testing::Test {
     const auto checked = checkRegularFile(path);
     EXPECT_FALSE(checked) << path;
     const auto content = readRegularFile(path);
-    if (content) return "read";
+    const auto bytes = FileBytes::read(path);
+    if (content || bytes) return "read";
+    EXPECT_EQ(bytes.error().message(), content.error().message());
     EXPECT_EQ(content.error().message(), stream.error().message());
     return content.error().message();
   }
 
   test::TemporaryFolder folder_;
 };
+
+TEST_F(RegularFile, IsTheSameReadByAllCores) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{20'000'003}}) {
+    std::string written(size, '\0');
+    std::uint32_t number = 1;
+    for (char& byte : written) byte = static_cast<char>((number = number * 1664525 + 1013904223) >> 24);
+    const fs::path file = folder_.path() / std::to_string(size);
+    std::ofstream(file, std::ios::binary).write(written.data(), static_cast<std::streamsize>(size));
+    const auto bytes = FileBytes::read(file);
+    ASSERT_TRUE(bytes.has_value());
+    EXPECT_TRUE(bytes->view() == written) << size;
+    EXPECT_TRUE(*readRegularFile(file) == written) << size;
+    EXPECT_EQ(FileBytes::read(file, 20'000'000).has_value(), size < 20'000'000);
+    const auto opened = openRegularFile(file, size);
+    ASSERT_TRUE(opened.has_value());
+    EXPECT_EQ(opened->size, size);
+    EXPECT_EQ(::close(opened->descriptor), 0);
+  }
+}
 
 // Each would wait for ever, or have no end, if it were only opened.
 TEST_F(RegularFile, NothingElseIsOpened) {

@@ -104,7 +104,7 @@ TEST(ActiveSetSolver, KeepsAFreeMotionAsItIs) {
   EXPECT_EQ(result.status, SolverStatus::kSolved);
   EXPECT_EQ(result.d, d0);
   EXPECT_EQ(result.active_count, 0u);
-  EXPECT_EQ(nearestFeasible({}, d0).d, d0);
+  EXPECT_EQ(nearestFeasible(std::span<const SolverRow>(), d0).d, d0);
 }
 
 TEST(ActiveSetSolver, AgreesWithTheEnumerationOfAllActiveSets) {
@@ -206,6 +206,47 @@ TEST(ActiveSetSolver, AnswersAnInfeasibleSlotWithItsMiddle) {
   EXPECT_EQ(result.status, SolverStatus::kInfeasible);
   EXPECT_NEAR(result.d[2], 0.25e-3, 1e-6);
   EXPECT_NEAR(result.d[0], 2e-3, 1e-9);
+}
+
+RowArrays arraysOfRows(const std::vector<SolverRow>& rows) {
+  RowArrays arrays;
+  for (const SolverRow& row : rows) arrays.add(row);
+  arrays.fillLastVector();
+  return arrays;
+}
+
+TEST(ActiveSetSolver, AnswersTheSameWhateverItBeginsWith) {
+  Random random;
+  int solved = 0, held = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::vector<SolverRow> rows(1 + static_cast<std::size_t>(trial % 60));
+    for (SolverRow& row : rows) row = {random.direction(), random.uniform(trial % 4 == 0 ? -5e-4 : 0.0, 2e-3), false};
+    if (trial % 5 == 0) rows[0].equality = true;
+    if (trial % 7 == 0) rows.back() = rows.front();
+    const Vector6 before = random.motion(5e-3);
+    ActiveRows first = nearestFeasible(rows, before).active;
+    if (trial % 3 == 0) {
+      // Whatever rows, also one twice and one that is not there.
+      first.count = ActiveRows::kMost;
+      for (auto& row : first.row) row = static_cast<std::uint8_t>(random.uniform(0.0, 65.9));
+    }
+    Vector6 d0 = before;
+    for (double& number : d0) number += random.uniform(-2e-4, 2e-4);
+    for (SolverRow& row : rows) row.slack += random.uniform(-1e-4, 1e-4);
+    const SolverResult cold = nearestFeasible(rows, d0), warm = nearestFeasible(arraysOfRows(rows), d0, first);
+    ASSERT_EQ(warm.status, cold.status) << trial;
+    if (cold.status != SolverStatus::kSolved) {
+      EXPECT_EQ(warm.d, cold.d) << trial;
+      EXPECT_EQ(warm.active.count, 0u);
+      continue;
+    }
+    ++solved;
+    held += static_cast<int>(warm.active.count);
+    EXPECT_LT((toEigen(warm.d) - toEigen(cold.d)).norm(), 1e-7) << trial;
+    expectOptimal(rows, d0, warm);
+  }
+  EXPECT_GT(solved, 2000);
+  EXPECT_GT(held, 4000);
 }
 
 TEST(ActiveSetSolver, GivesUpEarlyOnManyContradictions) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -121,13 +122,14 @@ TEST(ViolatedRows, TheWorstIsThatOfALookAtEach) {
   int none = 0, equalities = 0;
   for (int turn = 0; turn < 2000; ++turn) {
     rows->count = 4 * (1 + static_cast<std::size_t>(turn) % (RowArrays::kMost / 4));
+    std::array<double, RowArrays::kMost> barred{};
     Vector6 d{};
     for (double& x : d) x = turn % 50 == 0 ? 0.0 : unit(random);
     for (std::size_t i = 0; i < rows->count; ++i) {
       for (auto& numbers : rows->normal) numbers[i] = unit(random);
       rows->slack[i] = unit(random) + (turn % 3 == 0 ? 5.0 : 0.0);
       rows->both_ways[i] = turn % 3 != 0 && i % 7 == 3 ? 1.0 : 0.0;
-      rows->barred[i] = i % 5 == 4 ? std::numeric_limits<double>::infinity() : 0.0;
+      barred[i] = i % 5 == 4 ? std::numeric_limits<double>::infinity() : 0.0;
     }
     double worst = -1e-3;
     std::size_t expected = rows->count;
@@ -135,14 +137,14 @@ TEST(ViolatedRows, TheWorstIsThatOfALookAtEach) {
       double left = rows->slack[i];
       for (std::size_t k = 0; k < 6; ++k) left += rows->normal[k][i] * d[k];
       if (rows->both_ways[i] > 0.0) left = -std::abs(left);
-      if (rows->barred[i] > 0.0 || left >= worst) continue;
+      if (barred[i] > 0.0 || left >= worst) continue;
       worst = left;
       expected = i;
     }
     std::size_t found = rows->count, plainly = rows->count, here = rows->count;
-    EXPECT_EQ(mostViolated(*rows, d, 1e-3, found), expected < rows->count);
-    EXPECT_EQ(mostViolatedPortably(*rows, d, 1e-3, plainly), expected < rows->count);
-    EXPECT_EQ(worstRowOf(*rows, d.data(), 1e-3, here), expected < rows->count);
+    EXPECT_EQ(mostViolated(*rows, barred.data(), d, 1e-3, found), expected < rows->count);
+    EXPECT_EQ(mostViolatedPortably(*rows, barred.data(), d, 1e-3, plainly), expected < rows->count);
+    EXPECT_EQ(worstRowOf(*rows, barred.data(), d.data(), 1e-3, here), expected < rows->count);
     EXPECT_EQ(plainly, found);
     EXPECT_TRUE(expected == rows->count || here == found) << "as compiled for the test";
     EXPECT_EQ(found, expected) << turn;
@@ -172,7 +174,7 @@ TEST(EntryRowsBody, EachLaneIsTheInverseJacobianToSecondOrder) {
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t lane = 0; lane < kLanes; ++lane) at_first[i][lane] = g[i][lane] = unit(random);
     const double turned[3] = {theta.x, theta.y, theta.z};
-    toMetric(g, turned, 0.25);
+    MetricChange(turned, 0.25).apply(g);
     const Lanes length = lengthOfAll(g);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const dvec3 before(at_first[3][lane], at_first[4][lane], at_first[5][lane]);

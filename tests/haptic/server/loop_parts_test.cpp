@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 
+#include "haptic/rendering/force_renderer.h"
 #include "haptic/server/client_inbox.h"
 #include "haptic/server/tick_log.h"
 
@@ -40,13 +42,28 @@ TEST(ClientInbox, TheNewestOfASessionIsTakenOnce) {
   EXPECT_EQ(inbox->takeSet(), nullptr) << "the session has not begun for the loop";
   EXPECT_TRUE(inbox->beginSession());
   EXPECT_FALSE(inbox->beginSession()) << "once";
-  const ConstraintSet* set = inbox->takeSet();
+  const GroupedSet* set = inbox->takeSet();
   ASSERT_NE(set, nullptr);
   EXPECT_EQ(set->sequence, 2u);
+  EXPECT_TRUE(set->well_formed);
   EXPECT_EQ(inbox->takeSet(), nullptr);
   inbox->submit(HapticControl{.forces_enabled = true});
   ASSERT_NE(inbox->takeControl(), nullptr);
   EXPECT_EQ(inbox->takeHandTarget(), nullptr);
+}
+
+TEST(ClientInbox, SaysOfASetWithNoNumbersThatItIsNotWellFormed) {
+  const auto inbox = std::make_unique<ClientInbox>();
+  inbox->open(0);
+  ASSERT_TRUE(inbox->beginSession());
+  ConstraintSet set = setOfNumber(1);
+  set.zone_radius = std::numeric_limits<double>::quiet_NaN();
+  inbox->submit(set);
+  const GroupedSet* prepared = inbox->takeSet();
+  ASSERT_NE(prepared, nullptr);
+  EXPECT_FALSE(prepared->well_formed);
+  ForceRenderer renderer;
+  EXPECT_EQ(renderer.adopt(*prepared, 0.0), Adoption::kMalformed);
 }
 
 TEST(ClientInbox, WhatAnEarlierClientSentIsNotTaken) {
