@@ -36,8 +36,8 @@ Text Blocker::text() const {
 Expected<FreeSpace> FreeSpace::create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId id,
                                       const config::Configuration& configuration,
                                       const manipulation::Placements& placements,
-                                      const std::optional<mannequin::Side>& hand) {
-  auto plan = SpacePlan::create(std::move(scene), id, configuration, placements, hand);
+                                      const std::optional<mannequin::Side>& hand, bool with_axes) {
+  auto plan = SpacePlan::create(std::move(scene), id, configuration, placements, {hand, with_axes});
   HAPTICELL_TRY(plan);
   return FreeSpace(std::move(*plan));
 }
@@ -284,6 +284,27 @@ std::vector<EntityConfiguration> FreeSpace::posturesAt(const Pose& X_WT, const E
 
 const workcell::Entity& FreeSpace::entity() const {
   return plan_->model().form();
+}
+
+const manipulation::PreparedScene& FreeSpace::scene() const {
+  return *plan_->model().scene();
+}
+
+const workcell::Entity& FreeSpace::ownEntity() const {
+  return *plan_->model().members().back();
+}
+
+EntityConfiguration FreeSpace::ownAt(const EntityConfiguration& all) const {
+  return plan_->model().standing(all);
+}
+
+manipulation::HeldModel::Standing FreeSpace::axesAt(const EntityConfiguration& all) const {
+  return plan_->model().axes(all);
+}
+
+std::size_t FreeSpace::axisVariables() const {
+  const auto& own = ownEntity().robot();
+  return own ? entity().robot()->dof() - own->dof() : 0;
 }
 
 const EntityConfiguration& FreeSpace::present() const {

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
 #include "geometry/system/overloaded.h"
 #include "kinematics/model/solution_list.h"
 #include "manipulation/checks/inverse_batch.h"
+#include "planning/axis_places.h"
+#include "planning/shortening.h"
 #include "planning/standing_figure.h"
 
 namespace hapticell::planning {
@@ -34,6 +37,14 @@ constexpr double kOnLimit = 1e-6;
 /// Configurations of a goal that are not free and are kept all the same. Half: one that could be reached by leaving it
 /// backwards may be missing; twice: some ms more where none can.
 constexpr std::size_t kMostTight = 16;
+
+/// Of a robot with external axes: turned solutions at one place of the axes, configurations of a pose that are checked,
+/// and free ones that become goals, those reached soonest first. Half: goals that need a far turn are missed; twice: more
+/// goals that searches try in vain.
+constexpr std::size_t kTurnedAtPlace = 8, kMostPlaced = 400, kMostGoals = 48;
+/// Places of the axes that are tried for each place near a goal that is not free. Half: a nearest place may be missed;
+/// twice: twice the time.
+constexpr std::size_t kPlacesNear = 6;
 
 using Blocks = std::map<std::string, std::size_t>;
 
@@ -71,15 +82,18 @@ class GoalFinder {
 
   Expected<void> prepareInverse() {
     if (!space_.hasJoints() || space_.figure() != nullptr || inverse_) return {};
-    auto inverse = manipulation::inverseToTool(space_.entity());
+    auto inverse = manipulation::inverseToTool(space_.ownEntity());
     HAPTICELL_TRY(inverse);
     inverse_ = std::move(*inverse);
+    if (const std::size_t axes = space_.axisVariables(); axes > 0)
+      places_ = axisPlaces(*space_.entity().robot(), axes, start_.joints, seed_);
     return {};
   }
 
   /// Adds the free configurations of a pose.
   void addFreeAt(const Pose& X_WT, std::vector<EntityConfiguration>& free) {
     for (EntityConfiguration& one : configurationsAt(X_WT)) {
+      if (space_.axisVariables() > 0 && free.size() >= kMostGoals) break;
       ++tried_;
       if (space_.isFree(one)) {
         free.push_back(std::move(one));
@@ -94,6 +108,7 @@ class GoalFinder {
   std::vector<EntityConfiguration> configurationsAt(const Pose& X_WT) {
     if (!space_.hasJoints()) return {{X_WT, {}}};
     if (space_.figure() != nullptr) return space_.posturesAt(X_WT, start_);
+    if (space_.axisVariables() > 0) return placedAt(X_WT);
     std::vector<EntityConfiguration> all;
     kinematics::SolutionListOptions options;
     options.with_turns = true;
@@ -103,6 +118,54 @@ class GoalFinder {
       if (one.within_limits) all.push_back({start_.X_WE, std::move(one.q)});
     }
     return all;
+  }
+
+  /// The start, with the axes at such a place.
+  EntityConfiguration startAt(const std::vector<double>& place) const {
+    EntityConfiguration at = start_;
+    std::copy(place.begin(), place.end(), at.joints.begin());
+    return at;
+  }
+
+  /// All configurations of the arm, from places over the travel of its axes; those reached soonest first.
+  std::vector<EntityConfiguration> placedAt(const Pose& X_WT) {
+    kinematics::SolutionListOptions options;
+    options.with_turns = true;
+    options.most_turns = kTurnedAtPlace;
+    struct Soonest {
+      EntityConfiguration at;
+      double time = 0.0;
+    };
+    std::vector<Soonest> all;
+    for (const std::vector<double>& place : places_) {
+      const EntityConfiguration from = startAt(place), own = space_.ownAt(from);
+      const auto solutions = kinematics::listSolutions(*space_.ownEntity().robot(), *inverse_,
+                                                       own.X_WE.inverse() * X_WT, own.joints, options);
+      for (const auto& one : solutions) {
+        if (!one.within_limits) continue;
+        EntityConfiguration at = from;
+        std::copy(one.q.begin(), one.q.end(), at.joints.begin() + static_cast<std::ptrdiff_t>(place.size()));
+        const double time = leastTime(space_, start_, at);
+        all.push_back({std::move(at), time});
+      }
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Soonest& a, const Soonest& b) { return a.time < b.time; });
+    std::vector<EntityConfiguration> nearest;
+    for (Soonest& one : all) {
+      if (nearest.size() < kMostPlaced) nearest.push_back(std::move(one.at));
+    }
+    return nearest;
+  }
+
+  /// Keeps the places from which the pose is reached soonest: near it, others will hardly do.
+  void keepPlacesFor(const Pose& X_WT) {
+    std::vector<std::vector<double>> kept;
+    for (const EntityConfiguration& at : placedAt(X_WT)) {
+      std::vector<double> place(at.joints.begin(), at.joints.begin() + static_cast<std::ptrdiff_t>(space_.axisVariables()));
+      if (std::find(kept.begin(), kept.end(), place) == kept.end()) kept.push_back(std::move(place));
+      if (kept.size() == kPlacesNear) break;
+    }
+    if (!kept.empty()) places_ = std::move(kept);
   }
 
   Expected<GoalStates> toPose(const Pose& X_WT) {
@@ -120,9 +183,13 @@ class GoalFinder {
     if (space_.figure() != nullptr)
       return makeError(goalError(space_, Text("joints"), Text("a pose of the mannequin's hand")));
     if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
-    if (joints.size() != robot->dof())
+    if (joints.size() != robot->dof()) {
+      const std::size_t own = robot->dof() - space_.axisVariables();
+      const Text all("%1 joint positions", robot->dof());
       return makeError(
-          goalError(space_, Text("%1 joint positions", joints.size()), Text("%1 joint positions", robot->dof())));
+          goalError(space_, Text("%1 joint positions", joints.size()),
+                    own == robot->dof() ? all : Text("%1, those of the external axes first, or %2 of its own", all, own)));
+    }
     GoalStates states;
     EntityConfiguration at{start_.X_WE, joints};
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -241,6 +308,7 @@ class GoalFinder {
   /// No joints within the limits bring the tool there.
   Failure unreachable(const Pose& X_WT) {
     if (space_.figure() != nullptr) return handCannotReach(X_WT);
+    if (space_.axisVariables() > 0) return unreachableWithAxes(X_WT);
     const auto solution = inverse_->solve(start_.X_WE.inverse() * X_WT, start_.joints);
     const bool limited = solution.status == kinematics::InverseStatus::kLimit;
     Failure failure;
@@ -253,6 +321,32 @@ class GoalFinder {
     return failure;
   }
 
+  Failure unreachableWithAxes(const Pose& X_WT) {
+    Failure failure;
+    bool limited = false;
+    double least = std::numeric_limits<double>::infinity();
+    std::optional<EntityConfiguration> nearest;
+    for (const std::vector<double>& place : places_) {
+      EntityConfiguration at = startAt(place);
+      const EntityConfiguration own = space_.ownAt(at);
+      const auto solution = inverse_->solve(own.X_WE.inverse() * X_WT, own.joints);
+      limited = limited || solution.status == kinematics::InverseStatus::kLimit;
+      if (solution.q.size() != own.joints.size()) continue;
+      std::copy(solution.q.begin(), solution.q.end(), at.joints.begin() + static_cast<std::ptrdiff_t>(place.size()));
+      const double distance = glm::length(space_.toolAt(at).p - X_WT.p);
+      if (distance >= least || !space_.isFree(at)) continue;
+      least = distance;
+      nearest = std::move(at);
+    }
+    if (nearest) setNearest(failure, std::move(*nearest), X_WT);
+    failure.kind = limited ? Failure::Kind::kLimit : Failure::Kind::kReach;
+    const std::string& name = space_.entity().name;
+    failure.reason =
+        limited ? Text("the limits of its joints keep the tool of %1 from the goal, wherever its external axes are", name)
+                : Text("the goal is out of reach of %1, wherever its external axes are", name);
+    return failure;
+  }
+
   /// All configurations there meet something.
   Failure blocked(const Pose& X_WT) {
     Failure failure;
@@ -262,6 +356,7 @@ class GoalFinder {
     if (most != blocks_.end()) failure.blocked_by = most->first;
     failure.reason =
         Text("the goal is not free with a clearance of %1: %2", Text::Length{space_.clearance()}, first_blocker_);
+    if (space_.axisVariables() > 0) keepPlacesFor(X_WT);
     for (const double step : kNearestSteps) {
       for (int i = 0; i < 27; ++i) {
         const dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
@@ -279,7 +374,8 @@ class GoalFinder {
   FreeSpace& space_;
   const EntityConfiguration& start_;
   const std::uint64_t seed_;
-  std::unique_ptr<kinematics::InverseModel> inverse_;
+  std::unique_ptr<kinematics::InverseModel> inverse_;  ///< Of the robot without its external axes.
+  std::vector<std::vector<double>> places_;            ///< Of the external axes; empty: there are none.
   std::size_t tried_ = 0;
   Blocks blocks_;
   Text first_blocker_;

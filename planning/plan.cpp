@@ -305,7 +305,8 @@ Expected<PlanResult> plan(const Problem& problem, const FreeSpace& space) {
 }
 
 Expected<PlanResult> plan(const Problem& problem, const config::Configuration& configuration) {
-  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements, problem.hand);
+  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements, problem.hand,
+                                       problem.with_axes);
   HAPTICELL_TRY(space);
   return plan(problem, *space);
 }
