@@ -42,9 +42,9 @@ constexpr std::size_t kMostTight = 16;
 /// and free ones that become goals, those reached soonest first. Half: goals that need a far turn are missed; twice: more
 /// goals that searches try in vain.
 constexpr std::size_t kTurnedAtPlace = 8, kMostPlaced = 400, kMostGoals = 48;
-/// Places of the axes that are tried for each place near a goal that is not free. Half: a nearest place may be missed;
-/// twice: twice the time.
-constexpr std::size_t kPlacesNear = 6;
+/// The same near a goal that is not free: places of the axes, and configurations of a pose. Half: a nearest place may be
+/// missed; twice: twice the time.
+constexpr std::size_t kPlacesNear = 6, kMostPlacedNear = 16;
 
 using Blocks = std::map<std::string, std::size_t>;
 
@@ -152,7 +152,7 @@ class GoalFinder {
     std::stable_sort(all.begin(), all.end(), [](const Soonest& a, const Soonest& b) { return a.time < b.time; });
     std::vector<EntityConfiguration> nearest;
     for (Soonest& one : all) {
-      if (nearest.size() < kMostPlaced) nearest.push_back(std::move(one.at));
+      if (nearest.size() < most_placed_) nearest.push_back(std::move(one.at));
     }
     return nearest;
   }
@@ -166,6 +166,7 @@ class GoalFinder {
       if (kept.size() == kPlacesNear) break;
     }
     if (!kept.empty()) places_ = std::move(kept);
+    most_placed_ = kMostPlacedNear;
   }
 
   Expected<GoalStates> toPose(const Pose& X_WT) {
@@ -181,7 +182,9 @@ class GoalFinder {
   Expected<GoalStates> toJoints(const std::vector<double>& joints) {
     const auto& robot = space_.entity().robot();
     if (space_.figure() != nullptr)
-      return makeError(goalError(space_, Text("joints"), Text("a pose of the mannequin's hand")));
+      return makeError(
+          goalError(space_, Text("a posture by its joints, which is not planned: the feet stay, and balance decides on it"),
+                    Text("a pose of the mannequin's hand (--to, --to-frame)")));
     if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
     if (joints.size() != robot->dof()) {
       const std::size_t own = robot->dof() - space_.axisVariables();
@@ -375,6 +378,7 @@ class GoalFinder {
   const EntityConfiguration& start_;
   const std::uint64_t seed_;
   std::unique_ptr<kinematics::InverseModel> inverse_;  ///< Of the robot without its external axes.
+  std::size_t most_placed_ = kMostPlaced;
   std::vector<std::vector<double>> places_;            ///< Of the external axes; empty: there are none.
   std::size_t tried_ = 0;
   Blocks blocks_;

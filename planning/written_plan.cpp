@@ -85,7 +85,7 @@ Expected<Clearance> clearanceOfJoints(const Trajectory& fine, const std::vector<
                                                 manipulation::RestContacts::kLeaveOutLasting, wanted.with_axes);
   HAPTICELL_TRY(check);
   Clearance clearance{wanted.look, 0.0};
-  std::vector<double> joints = entity.joints();
+  std::vector<double> joints = check->entity().joints();
   for (std::size_t i = 0; i < fine.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) joints[columns[j]] = fine.joints(i)[j];
     const double distance = check->clearance(joints, clearance.least);
