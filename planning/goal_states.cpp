@@ -184,7 +184,7 @@ class GoalFinder {
     if (space_.figure() != nullptr)
       return makeError(
           goalError(space_, Text("a posture by its joints, which is not planned: the feet stay, and balance decides on it"),
-                    Text("a pose of the mannequin's hand (--to, --to-frame)")));
+                    Text("a pose of the mannequin's hand")));
     if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
     if (joints.size() != robot->dof()) {
       const std::size_t own = robot->dof() - space_.axisVariables();

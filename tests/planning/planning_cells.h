@@ -46,7 +46,7 @@ inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gr
   return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
 }
 
-/// A robot on the plate of a rail of 4 m along x, at its one end, and a post beside the way. The rail's bed and plate
+/// A robot on the plate of a rail of 4 m along x, at its one end, and a post as high as the arm beside the way. The rail's bed and plate
 /// are boxes; its joint "drive" may move at 0.8 m/s.
 struct RailCell {
   std::shared_ptr<const manipulation::PreparedScene> scene;
@@ -76,7 +76,7 @@ inline RailCell railCell() {
   };
   place(cell.robot, {-1.57, -1.2, 1.2, -1.57, -1.57, 0.0});
   place(cell.rail, {-1.5});
-  add(loaded("box:0.3,0.3,1.4", 0, "post", Pose::translation({0.0, 0.5, 0.7})));
+  add(loaded("box:0.3,0.9,2.4", 0, "post", Pose::translation({0.0, 0.7, 1.2})));
   cell.scene = manipulation::PreparedScene::prepare(document.snapshotEntities(), {}, {});
   return cell;
 }
