@@ -7,6 +7,8 @@
 #include <random>
 
 #include "geometry/system/assertion.h"
+#include "kinematics/model/solution_list.h"
+#include "planning/shortening.h"
 
 namespace hapticell::planning {
 
@@ -20,6 +22,10 @@ constexpr int kLeastPlaces = 16, kMostPlaces = 400;
 /// m to both sides of the present place of a slide without limits. Half: what is farther is out of reach; twice: places
 /// lie farther apart.
 constexpr double kEndlessSlide = 10.0;
+
+/// Solutions turned by full turns at one place of the axes. Half: goals that need a far turn are missed; twice: more that
+/// are checked in vain.
+constexpr std::size_t kTurnedAtPlace = 8;
 
 struct Travel {
   double lower = 0.0, upper = 0.0;
@@ -61,6 +67,40 @@ std::vector<std::vector<double>> axisPlaces(const kinematics::RobotModel& robot,
     places.push_back(std::move(place));
   }
   return places;
+}
+
+EntityConfiguration withAxesAt(EntityConfiguration at, const std::vector<double>& place) {
+  std::copy(place.begin(), place.end(), at.joints.begin());
+  return at;
+}
+
+std::vector<EntityConfiguration> soonestWithAxes(const FreeSpace& space, const kinematics::InverseModel& inverse,
+                                                 const Pose& X_WT, const EntityConfiguration& start,
+                                                 const std::vector<std::vector<double>>& places, std::size_t most) {
+  kinematics::SolutionListOptions options;
+  options.with_turns = true;
+  options.most_turns = kTurnedAtPlace;
+  struct Soonest {
+    EntityConfiguration at;
+    double time = 0.0;
+  };
+  std::vector<Soonest> all;
+  for (const std::vector<double>& place : places) {
+    const EntityConfiguration from = withAxesAt(start, place), own = space.ownAt(from);
+    const auto solutions = kinematics::listSolutions(*space.ownEntity().robot(), inverse, own.X_WE.inverse() * X_WT,
+                                                     own.joints, options);
+    for (const auto& one : solutions) {
+      if (!one.within_limits) continue;
+      EntityConfiguration at = from;
+      std::copy(one.q.begin(), one.q.end(), at.joints.begin() + static_cast<std::ptrdiff_t>(place.size()));
+      const double time = leastTime(space, start, at);
+      all.push_back({std::move(at), time});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Soonest& a, const Soonest& b) { return a.time < b.time; });
+  std::vector<EntityConfiguration> soonest;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) soonest.push_back(std::move(all[i].at));
+  return soonest;
 }
 
 }  // namespace hapticell::planning

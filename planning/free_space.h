@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/queries/scene.h"
@@ -136,6 +137,8 @@ class FreeSpace {
  private:
   explicit FreeSpace(std::shared_ptr<const SpacePlan> plan);
   bool standsFree(const EntityConfiguration& at);
+  bool isKnownFree(const EntityConfiguration& at) const;
+  void setKnownFree(const EntityConfiguration& at);
   bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
   bool meetsNothing(bool moves);
   bool isProven(const EntityConfiguration& from, const EntityConfiguration& to);
@@ -155,6 +158,7 @@ class FreeSpace {
   std::vector<collision::MovedPart> moved_;  ///< Scratch.
   std::vector<Pose> X_WP_;                   ///< Scratch.
   std::vector<double> bounds_, own_bounds_;  ///< Scratch.
+  std::unordered_map<std::uint64_t, EntityConfiguration> known_free_;  ///< Ends of motions that were asked before.
   std::optional<Blocker> blocked_by_;
   const std::atomic<bool>* stop_ = nullptr;
   std::size_t checks_ = 0;

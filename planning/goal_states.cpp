@@ -11,7 +11,6 @@
 #include "kinematics/model/solution_list.h"
 #include "manipulation/checks/inverse_batch.h"
 #include "planning/axis_places.h"
-#include "planning/shortening.h"
 #include "planning/standing_figure.h"
 
 namespace hapticell::planning {
@@ -38,10 +37,9 @@ constexpr double kOnLimit = 1e-6;
 /// backwards may be missing; twice: some ms more where none can.
 constexpr std::size_t kMostTight = 16;
 
-/// Of a robot with external axes: turned solutions at one place of the axes, configurations of a pose that are checked,
-/// and free ones that become goals, those reached soonest first. Half: goals that need a far turn are missed; twice: more
-/// goals that searches try in vain.
-constexpr std::size_t kTurnedAtPlace = 8, kMostPlaced = 400, kMostGoals = 48;
+/// Of a robot with external axes: configurations of a pose that are checked, and free ones that become goals, those
+/// reached soonest first. Half: goals that need a far way are missed; twice: more goals that searches try in vain.
+constexpr std::size_t kMostPlaced = 400, kMostGoals = 48;
 /// The same near a goal that is not free: places of the axes, and configurations of a pose. Half: a nearest place may be
 /// missed; twice: twice the time.
 constexpr std::size_t kPlacesNear = 6, kMostPlacedNear = 16;
@@ -120,41 +118,9 @@ class GoalFinder {
     return all;
   }
 
-  /// The start, with the axes at such a place.
-  EntityConfiguration startAt(const std::vector<double>& place) const {
-    EntityConfiguration at = start_;
-    std::copy(place.begin(), place.end(), at.joints.begin());
-    return at;
-  }
-
   /// All configurations of the arm, from places over the travel of its axes; those reached soonest first.
-  std::vector<EntityConfiguration> placedAt(const Pose& X_WT) {
-    kinematics::SolutionListOptions options;
-    options.with_turns = true;
-    options.most_turns = kTurnedAtPlace;
-    struct Soonest {
-      EntityConfiguration at;
-      double time = 0.0;
-    };
-    std::vector<Soonest> all;
-    for (const std::vector<double>& place : places_) {
-      const EntityConfiguration from = startAt(place), own = space_.ownAt(from);
-      const auto solutions = kinematics::listSolutions(*space_.ownEntity().robot(), *inverse_,
-                                                       own.X_WE.inverse() * X_WT, own.joints, options);
-      for (const auto& one : solutions) {
-        if (!one.within_limits) continue;
-        EntityConfiguration at = from;
-        std::copy(one.q.begin(), one.q.end(), at.joints.begin() + static_cast<std::ptrdiff_t>(place.size()));
-        const double time = leastTime(space_, start_, at);
-        all.push_back({std::move(at), time});
-      }
-    }
-    std::stable_sort(all.begin(), all.end(), [](const Soonest& a, const Soonest& b) { return a.time < b.time; });
-    std::vector<EntityConfiguration> nearest;
-    for (Soonest& one : all) {
-      if (nearest.size() < most_placed_) nearest.push_back(std::move(one.at));
-    }
-    return nearest;
+  std::vector<EntityConfiguration> placedAt(const Pose& X_WT) const {
+    return soonestWithAxes(space_, *inverse_, X_WT, start_, places_, most_placed_);
   }
 
   /// Keeps the places from which the pose is reached soonest: near it, others will hardly do.
@@ -330,7 +296,7 @@ class GoalFinder {
     double least = std::numeric_limits<double>::infinity();
     std::optional<EntityConfiguration> nearest;
     for (const std::vector<double>& place : places_) {
-      EntityConfiguration at = startAt(place);
+      EntityConfiguration at = withAxesAt(start_, place);
       const EntityConfiguration own = space_.ownAt(at);
       const auto solution = inverse_->solve(own.X_WE.inverse() * X_WT, own.joints);
       limited = limited || solution.status == kinematics::InverseStatus::kLimit;

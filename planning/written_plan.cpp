@@ -128,8 +128,9 @@ Expected<ReadMotions> readMotions(const WrittenFiles& written,
     for (std::size_t k = 0; k < written.axes.size(); ++k) {
       auto axis = trajectory::readTrajectory(written.axes[k]);
       HAPTICELL_TRY(axis);
-      const bool is_axis = written.axes.size() + 1 == members.size() && axis->entity == members[k]->name;
-      if (!is_axis) return makeError(otherEntity(written.axes[k], *axis));
+      const bool is_complete = written.axes.size() + 1 == members.size();
+      if (is_complete && axis->entity.empty()) axis->entity = members[k]->name;  // Tables do not name it.
+      if (!is_complete || axis->entity != members[k]->name) return makeError(otherEntity(written.axes[k], *axis));
       read.axes.push_back(std::make_shared<const Trajectory>(*axis));
       read.axis_joints += axis->joint_names.size();
       axes.push_back(std::move(*axis));

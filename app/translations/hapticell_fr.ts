@@ -2347,6 +2347,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--to, --to-frame, --to-joints, --out</translation>
     </message>
     <message>
+        <source>--together</source>
+        <translation>--together</translation>
+    </message>
+    <message>
         <source>--tolerance, --angle-tolerance</source>
         <translation>--tolerance, --angle-tolerance</translation>
     </message>
@@ -13329,6 +13333,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a motion of the robot's joints</source>
         <translation>un mouvement des articulations du robot</translation>
+    </message>
+    <message>
+        <source>a motion that does not name what moves</source>
+        <translation>un mouvement qui ne nomme pas ce qui bouge</translation>
+    </message>
+    <message>
+        <source>a motion that names its entity (.htraj)</source>
+        <translation>un mouvement qui nomme son entité (.htraj)</translation>
     </message>
     <message>
         <source>a motion to send</source>

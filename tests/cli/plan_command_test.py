@@ -131,6 +131,9 @@ def test_a_robot_moves_with_its_rail(folder):
     joints = plan("--workcell", "rail.hcell", "--entity", "robot", "--to-joints=1.5,-1.57,-1.2,1.2,-1.57,-1.57,0", "-o",
                   "all.csv", folder=folder)
     assert joints["solved"] and (folder / "all-rail.csv").exists() and joints["planner"] != "straight", joints
+    said = run("trajectory", "check", "path.htraj", "--workcell", "rail.hcell", "--together", "all-rail.csv",
+               folder=folder, expect=2).stderr
+    assert "does not name what moves" in said, said
     said = run("plan", "--workcell", "rail.hcell", "--entity", "robot", "--to-joints=1,2,3", "-o", "no.htraj",
                folder=folder, expect=2).stderr
     assert "7 joint positions" in said and "6 of its own" in said, said

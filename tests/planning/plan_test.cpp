@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "planning/axis_places.h"
 #include "planning/problem.h"
 #include "tests/planning/planning_cells.h"
 
@@ -246,6 +247,23 @@ TEST(Plan, RobotsMoveWithTheRailThatCarriesThem) {
   const auto alone = plan(problem);
   ASSERT_TRUE(alone && alone->failure);
   EXPECT_EQ(alone->failure->kind, Failure::Kind::kReach);
+}
+
+/// One axis is passed in even steps no longer than a fraction of an arm, its ends too; two follow from the seed.
+TEST(AxisPlaces, CoverTheWholeTravel) {
+  const test::RailCell cell = test::railCell();
+  const auto space = FreeSpace::create(cell.scene, cell.robot, {}, {}, {}, true);
+  ASSERT_TRUE(space);
+  const kinematics::RobotModel& robot = *space->entity().robot();
+  const auto places = axisPlaces(robot, 1, space->present().joints, 1);
+  EXPECT_EQ(places.front(), std::vector<double>{-1.5}) << "where it stands now";
+  EXPECT_NEAR(places[1][0], -2.0, 1e-12);
+  EXPECT_NEAR(places.back()[0], 2.0, 1e-12);
+  for (std::size_t i = 2; i < places.size(); ++i) EXPECT_LE(places[i][0] - places[i - 1][0], 0.1 + 1e-12);
+  const auto of_two = axisPlaces(robot, 2, space->present().joints, 7);
+  EXPECT_EQ(of_two, axisPlaces(robot, 2, space->present().joints, 7));
+  EXPECT_NE(of_two, axisPlaces(robot, 2, space->present().joints, 8));
+  for (const auto& place : of_two) EXPECT_TRUE(place.size() == 2 && place[0] >= -2.0 && place[0] <= 2.0);
 }
 
 TEST(Plan, GoalsWithAxesAreExplained) {
