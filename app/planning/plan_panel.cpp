@@ -56,18 +56,18 @@ void PlanPanel::addSettings(QVBoxLayout& column) {
   name_->setObjectName("labelPlanEntity");
   name_->setWordWrap(true);
   rows->addWidget(name_);
-  hand_ = new QComboBox;
-  hand_->setObjectName("choicePlanHand");
-  hand_->addItems({tr("Right hand"), tr("Left hand")});
-  hand_row_ = addRow(*rows, tr("Moves"), hand_);
-  axes_ = new QCheckBox;
-  axes_->setObjectName("switchPlanAxes");
-  axes_->setMinimumHeight(24);
-  axes_->setChecked(true);
-  axes_->setAccessibleName(tr("Move external axes too"));
-  axes_->setToolTip(tr("External axes move with the robot's own joints"));
-  axes_row_ = addRow(*rows, tr("Axes"), axes_);
-  connect(axes_, &QCheckBox::clicked, this, [this] {
+  moving_.hand = new QComboBox;
+  moving_.hand->setObjectName("choicePlanHand");
+  moving_.hand->addItems({tr("Right hand"), tr("Left hand")});
+  moving_.hand_row = addRow(*rows, tr("Moves"), moving_.hand);
+  moving_.axes = new QCheckBox;
+  moving_.axes->setObjectName("switchPlanAxes");
+  moving_.axes->setMinimumHeight(24);
+  moving_.axes->setChecked(true);
+  moving_.axes->setAccessibleName(tr("Move external axes too"));
+  moving_.axes->setToolTip(tr("External axes move with the robot's own joints"));
+  moving_.axes_row = addRow(*rows, tr("Axes"), moving_.axes);
+  connect(moving_.axes, &QCheckBox::clicked, this, [this] {
     if (const auto* one = entity()) goal_->takeAxes(*one, axes());
   });
   goal_ = new PlanGoalForm(host_);
@@ -75,7 +75,7 @@ void PlanPanel::addSettings(QVBoxLayout& column) {
   connect(goal_, &PlanGoalForm::takeWanted, this, [this] {
     if (const auto* one = entity()) goal_->take(*one, hand(), axes());
   });
-  connect(hand_, &QComboBox::currentIndexChanged, this, [this] {
+  connect(moving_.hand, &QComboBox::currentIndexChanged, this, [this] {
     const auto* one = entity();
     if (one && one->figure() && goal_->isAsTaken()) goal_->take(*one, hand());
   });
@@ -124,12 +124,12 @@ const workcell::Entity* PlanPanel::entity() const {
 }
 
 mannequin::Side PlanPanel::hand() const {
-  return hand_->currentIndex() == 0 ? mannequin::Side::kRight : mannequin::Side::kLeft;
+  return moving_.hand->currentIndex() == 0 ? mannequin::Side::kRight : mannequin::Side::kLeft;
 }
 
 PlanGoalForm::Axes PlanPanel::axes() const {
   const workcell::Entity* one = entity();
-  if (!one || !one->robot() || one->figure() || !axes_->isChecked()) return {};
+  if (!one || !one->robot() || one->figure() || !moving_.axes->isChecked()) return {};
   return externalAxes(host_.documentModel().document().state(), *one);
 }
 
@@ -140,9 +140,9 @@ void PlanPanel::showAxes() {
     for (const auto* axis : externalAxes(host_.documentModel().document().state(), *one))
       names << QString::fromStdString(axis->name);
   }
-  axes_row_->setVisible(!names.isEmpty());
-  axes_->setText(tr("%1 moves too").arg(names.join(QStringLiteral(", "))));
-  axes_->setEnabled(!planner_.isBusy());
+  moving_.axes_row->setVisible(!names.isEmpty());
+  moving_.axes->setText(tr("%1 moves too").arg(names.join(QStringLiteral(", "))));
+  moving_.axes->setEnabled(!planner_.isBusy());
 }
 
 void PlanPanel::follow() {
@@ -247,8 +247,8 @@ void PlanPanel::refresh() {
   plan_->setEnabled(one && !busy);
   stop_->setEnabled(busy);
   goal_->setEnabled(one && !busy);
-  hand_row_->setVisible(one && one->figure());
-  hand_->setEnabled(!busy);
+  moving_.hand_row->setVisible(one && one->figure());
+  moving_.hand->setEnabled(!busy);
   showAxes();
   if (one) goal_->offerFor(*one);
   for (QWidget* setting : std::initializer_list<QWidget*>{through_, clearance_, seed_, time_}) {

@@ -51,10 +51,13 @@ class PlanPanel : public QWidget {
   std::string blocker_;             ///< Name of the entity that blocks; empty: none.
   QLabel* name_;
   PlanGoalForm* goal_;
-  QComboBox* hand_;
-  QWidget* hand_row_;
-  QCheckBox* axes_;
-  QWidget* axes_row_;
+  /// What of the entity moves: a mannequin's hand, a robot's external axes.
+  struct Moving {
+    QComboBox* hand = nullptr;
+    QWidget* hand_row = nullptr;
+    QCheckBox* axes = nullptr;
+    QWidget* axes_row = nullptr;
+  } moving_;
   ThroughList* through_;
   ValueField *clearance_, *seed_, *time_;
   QPushButton *plan_, *stop_, *show_blocker_;
