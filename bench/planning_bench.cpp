@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -151,7 +152,7 @@ struct Written {
     for (const double rounding : {1.0, 0.4, 0.1}) {
       const auto motion = planning::timedMotion(plan, space, {.rounding = rounding});
       if (!motion || !workcell::writeFileAtomically(file, trajectory::toJsonText(*motion))) continue;
-      const auto promises = planning::writtenPlanPromises(file, plan, kClearance, cell.scene, 1);
+      const auto promises = planning::writtenPlanPromises(std::filesystem::path(file), plan, kClearance, cell.scene, 1);
       std::remove(file.c_str());
       if (!promises || !promises->areKept()) {
         std::fprintf(stderr, "rounded off by %.1f of the slack: %s\n", rounding,

@@ -2,7 +2,9 @@
 #include "planning/free_space.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -27,6 +29,23 @@ constexpr double kLooksApart = 0.1;
 /// that end in something take longer; twice: free ones do.
 constexpr int kMostLooks = 4;
 
+/// Known ends that are kept. Half: long searches ask some again; twice: some MB more.
+constexpr std::size_t kMostKnown = 20'000;
+
+/// FNV-1a over the numbers.
+std::uint64_t hashOf(const EntityConfiguration& at) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&hash](double number) { hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 1099511628211ULL; };
+  for (int i = 0; i < 3; ++i) add(at.X_WE.p[i]);
+  for (int i = 0; i < 4; ++i) add(at.X_WE.q[i]);
+  for (const double joint : at.joints) add(joint);
+  return hash;
+}
+
+bool isEqual(const EntityConfiguration& a, const EntityConfiguration& b) {
+  return a.joints == b.joints && a.X_WE.p == b.X_WE.p && a.X_WE.q == b.X_WE.q;
+}
+
 }  // namespace
 
 Text Blocker::text() const {
@@ -36,8 +55,8 @@ Text Blocker::text() const {
 Expected<FreeSpace> FreeSpace::create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId id,
                                       const config::Configuration& configuration,
                                       const manipulation::Placements& placements,
-                                      const std::optional<mannequin::Side>& hand) {
-  auto plan = SpacePlan::create(std::move(scene), id, configuration, placements, hand);
+                                      const std::optional<mannequin::Side>& hand, bool with_axes) {
+  auto plan = SpacePlan::create(std::move(scene), id, configuration, placements, {hand, with_axes});
   HAPTICELL_TRY(plan);
   return FreeSpace(std::move(*plan));
 }
@@ -71,6 +90,7 @@ FreeSpace FreeSpace::fresh() const {
 void FreeSpace::setClearance(double clearance) {
   HAPTICELL_DEMAND(clearance >= 0.0);
   clearance_ = clearance;
+  known_free_.clear();
   clearances_.assign(clearances_.size(), clearance);
 }
 
@@ -94,6 +114,7 @@ bool FreeSpace::isMetOnTheWay(const EntityConfiguration& from, const EntityConfi
   const double way = bounds_.empty() ? 0.0 : *std::max_element(bounds_.begin(), bounds_.end());
   for (int pieces = 1; pieces <= kMostLooks; pieces *= 2) {
     for (int i = 1; i <= pieces; i += 2) {
+      if (i == pieces && isKnownFree(to)) continue;
       if (!standsFree(between(from, to, static_cast<double>(i) / pieces))) return true;
     }
     if (way <= kLooksApart * pieces) break;
@@ -105,7 +126,21 @@ bool FreeSpace::isFree(const EntityConfiguration& at) {
   blocked_by_.reset();
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return false;
   ++checks_;
-  return standsFree(at);
+  if (isKnownFree(at)) return true;
+  if (!standsFree(at)) return false;
+  setKnownFree(at);
+  return true;
+}
+
+/// Searches grow from what they reached, and shortcuts end at waypoints: about every second end is known.
+bool FreeSpace::isKnownFree(const EntityConfiguration& at) const {
+  const auto known = known_free_.find(hashOf(at));
+  return known != known_free_.end() && isEqual(known->second, at);
+}
+
+void FreeSpace::setKnownFree(const EntityConfiguration& at) {
+  if (known_free_.size() >= kMostKnown) known_free_.clear();
+  known_free_.insert_or_assign(hashOf(at), at);
 }
 
 /// Whether the own pair is proven to be apart there by the one joint between its parts.
@@ -168,7 +203,11 @@ bool FreeSpace::isFree(const EntityConfiguration& from, const EntityConfiguratio
   ++checks_;
   plan_->manipulator().pathBounds(from, to, plan_->spheres(), bounds_);
   if (isMetOnTheWay(from, to)) return false;
-  if (plan_->figure() == nullptr) return isProven(from, to);
+  if (plan_->figure() == nullptr) {
+    const bool is_free = isProven(from, to);
+    if (is_free) setKnownFree(to);
+    return is_free;
+  }
   const std::vector<EntityConfiguration> knots = plan_->figure()->knots(from, to);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     plan_->manipulator().pathBounds(knots[i - 1], knots[i], plan_->spheres(), bounds_);
@@ -228,6 +267,7 @@ double FreeSpace::gapOf(std::uint32_t pair, const EntityConfiguration& at) {
 }
 
 void FreeSpace::setChecked(const std::vector<PairGap>& pairs, bool checked) {
+  known_free_.clear();
   for (const PairGap& one : pairs) scene_.setEnabled(one.pair, checked);
 }
 
@@ -284,6 +324,27 @@ std::vector<EntityConfiguration> FreeSpace::posturesAt(const Pose& X_WT, const E
 
 const workcell::Entity& FreeSpace::entity() const {
   return plan_->model().form();
+}
+
+const manipulation::PreparedScene& FreeSpace::scene() const {
+  return *plan_->model().scene();
+}
+
+const workcell::Entity& FreeSpace::ownEntity() const {
+  return *plan_->model().members().back();
+}
+
+EntityConfiguration FreeSpace::ownAt(const EntityConfiguration& all) const {
+  return plan_->model().standing(all);
+}
+
+manipulation::HeldModel::Standing FreeSpace::axesAt(const EntityConfiguration& all) const {
+  return plan_->model().axes(all);
+}
+
+std::size_t FreeSpace::axisVariables() const {
+  const auto& own = ownEntity().robot();
+  return own ? entity().robot()->dof() - own->dof() : 0;
 }
 
 const EntityConfiguration& FreeSpace::present() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/queries/scene.h"
@@ -57,10 +58,12 @@ class FreeSpace {
  public:
   /// Everything else stays where it is in the scene, or in `placements`. Errors: no such entity; one that is neither a
   /// solid nor has joints; a mannequin without `hand`, or `hand` with another entity. A locked entity may be checked.
+  /// `with_axes`: a robot's external axes that are not locked move along; configurations then have the placement of the
+  /// lowest axis, and the joints of all of them, the lowest first, the robot's own last.
   static Expected<FreeSpace> create(std::shared_ptr<const manipulation::PreparedScene> scene, workcell::EntityId entity,
                                     const config::Configuration& configuration,
                                     const manipulation::Placements& placements = {},
-                                    const std::optional<mannequin::Side>& hand = {});
+                                    const std::optional<mannequin::Side>& hand = {}, bool with_axes = false);
   /// The same space and clearance for another thread, without any answers known.
   FreeSpace fresh() const;
 
@@ -112,7 +115,17 @@ class FreeSpace {
   std::vector<EntityConfiguration> posturesAt(const Pose& X_WT, const EntityConfiguration& from,
                                               Shortfall* shortfall = nullptr) const;
 
+  /// With external axes: all of them as one robot.
   const workcell::Entity& entity() const;
+  const manipulation::PreparedScene& scene() const;
+  /// The entity of the scene, without its axes.
+  const workcell::Entity& ownEntity() const;
+  /// Its placement and its own joints if all of it is at `all`.
+  EntityConfiguration ownAt(const EntityConfiguration& all) const;
+  /// Each external axis, the lowest first, if all of it is at `all`; empty: none moves along.
+  manipulation::HeldModel::Standing axesAt(const EntityConfiguration& all) const;
+  /// Variables of the external axes: the first of a configuration's joints.
+  std::size_t axisVariables() const;
   bool hasJoints() const { return entity().robot() != nullptr; }
   /// Its configuration in the scene, or in `placements`.
   const EntityConfiguration& present() const;
@@ -124,6 +137,8 @@ class FreeSpace {
  private:
   explicit FreeSpace(std::shared_ptr<const SpacePlan> plan);
   bool standsFree(const EntityConfiguration& at);
+  bool isKnownFree(const EntityConfiguration& at) const;
+  void setKnownFree(const EntityConfiguration& at);
   bool isMetOnTheWay(const EntityConfiguration& from, const EntityConfiguration& to);
   bool meetsNothing(bool moves);
   bool isProven(const EntityConfiguration& from, const EntityConfiguration& to);
@@ -143,6 +158,7 @@ class FreeSpace {
   std::vector<collision::MovedPart> moved_;  ///< Scratch.
   std::vector<Pose> X_WP_;                   ///< Scratch.
   std::vector<double> bounds_, own_bounds_;  ///< Scratch.
+  std::unordered_map<std::uint64_t, EntityConfiguration> known_free_;  ///< Ends of motions that were asked before.
   std::optional<Blocker> blocked_by_;
   const std::atomic<bool>* stop_ = nullptr;
   std::size_t checks_ = 0;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
 #include "geometry/system/overloaded.h"
 #include "kinematics/model/solution_list.h"
 #include "manipulation/checks/inverse_batch.h"
+#include "planning/axis_places.h"
 #include "planning/standing_figure.h"
 
 namespace hapticell::planning {
@@ -36,6 +38,13 @@ constexpr double kOnLimit = 1e-6;
 /// Configurations of a goal that are not free and are kept all the same. Half: one that could be reached by leaving it
 /// backwards may be missing; twice: some ms more where none can.
 constexpr std::size_t kMostTight = 16;
+
+/// Of a robot with external axes: configurations of a pose that are checked, and free ones that become goals, those
+/// reached soonest first. Half: goals that need a far way are missed; twice: more goals that searches try in vain.
+constexpr std::size_t kMostPlaced = 400, kMostGoals = 48;
+/// The same near a goal that is not free: places of the axes, and configurations of a pose. Half: a nearest place may be
+/// missed; twice: twice the time.
+constexpr std::size_t kPlacesNear = 6, kMostPlacedNear = 16;
 
 using Blocks = std::map<std::string, std::size_t>;
 
@@ -82,15 +91,18 @@ class GoalFinder {
 
   Expected<void> prepareInverse() {
     if (!space_.hasJoints() || space_.figure() != nullptr || inverse_) return {};
-    auto inverse = manipulation::inverseToTool(space_.entity());
+    auto inverse = manipulation::inverseToTool(space_.ownEntity());
     HAPTICELL_TRY(inverse);
     inverse_ = std::move(*inverse);
+    if (const std::size_t axes = space_.axisVariables(); axes > 0)
+      places_ = axisPlaces(*space_.entity().robot(), axes, start_.joints, seed_);
     return {};
   }
 
   /// Adds the free configurations of a pose.
   void addFreeAt(const Pose& X_WT, std::vector<EntityConfiguration>& free) {
     for (EntityConfiguration& one : configurationsAt(X_WT)) {
+      if (space_.axisVariables() > 0 && free.size() >= kMostGoals) break;
       ++tried_;
       if (space_.isFree(one)) {
         free.push_back(std::move(one));
@@ -105,6 +117,7 @@ class GoalFinder {
   std::vector<EntityConfiguration> configurationsAt(const Pose& X_WT) {
     if (!space_.hasJoints()) return {{X_WT, {}}};
     if (space_.figure() != nullptr) return space_.posturesAt(X_WT, start_);
+    if (space_.axisVariables() > 0) return placedAt(X_WT);
     std::vector<EntityConfiguration> all;
     kinematics::SolutionListOptions options;
     options.with_turns = true;
@@ -114,6 +127,23 @@ class GoalFinder {
       if (one.within_limits) all.push_back({start_.X_WE, std::move(one.q)});
     }
     return all;
+  }
+
+  /// All configurations of the arm, from places over the travel of its axes; those reached soonest first.
+  std::vector<EntityConfiguration> placedAt(const Pose& X_WT) const {
+    return soonestWithAxes(space_, *inverse_, X_WT, start_, places_, most_placed_);
+  }
+
+  /// Keeps the places from which the pose is reached soonest: near it, others will hardly do.
+  void keepPlacesFor(const Pose& X_WT) {
+    std::vector<std::vector<double>> kept;
+    for (const EntityConfiguration& at : placedAt(X_WT)) {
+      std::vector<double> place(at.joints.begin(), at.joints.begin() + static_cast<std::ptrdiff_t>(space_.axisVariables()));
+      if (std::find(kept.begin(), kept.end(), place) == kept.end()) kept.push_back(std::move(place));
+      if (kept.size() == kPlacesNear) break;
+    }
+    if (!kept.empty()) places_ = std::move(kept);
+    most_placed_ = kMostPlacedNear;
   }
 
   Expected<GoalStates> toPose(const Pose& X_WT) {
@@ -129,11 +159,17 @@ class GoalFinder {
   Expected<GoalStates> toJoints(const std::vector<double>& joints) {
     const auto& robot = space_.entity().robot();
     if (space_.figure() != nullptr)
-      return makeError(goalError(space_, Text("joints"), Text("a pose of the mannequin's hand")));
-    if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
-    if (joints.size() != robot->dof())
       return makeError(
-          goalError(space_, Text("%1 joint positions", joints.size()), Text("%1 joint positions", robot->dof())));
+          goalError(space_, Text("a posture by its joints, which is not planned: the feet stay, and balance decides on it"),
+                    Text("a pose of the mannequin's hand")));
+    if (!robot) return makeError(goalError(space_, Text("joints"), Text("a pose, because it has no joints")));
+    if (joints.size() != robot->dof()) {
+      const std::size_t own = robot->dof() - space_.axisVariables();
+      const Text all("%1 joint positions", robot->dof());
+      return makeError(
+          goalError(space_, Text("%1 joint positions", joints.size()),
+                    own == robot->dof() ? all : Text("%1, those of the external axes first, or %2 of its own", all, own)));
+    }
     GoalStates states;
     EntityConfiguration at{start_.X_WE, joints};
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -271,6 +307,7 @@ class GoalFinder {
   /// No joints within the limits bring the tool there.
   Failure unreachable(const Pose& X_WT) {
     if (space_.figure() != nullptr) return handCannotReach(X_WT);
+    if (space_.axisVariables() > 0) return unreachableWithAxes(X_WT);
     const auto solution = inverse_->solve(start_.X_WE.inverse() * X_WT, start_.joints);
     const bool limited = solution.status == kinematics::InverseStatus::kLimit;
     Failure failure;
@@ -287,6 +324,32 @@ class GoalFinder {
     return failure;
   }
 
+  Failure unreachableWithAxes(const Pose& X_WT) {
+    Failure failure;
+    bool limited = false;
+    double least = std::numeric_limits<double>::infinity();
+    std::optional<EntityConfiguration> nearest;
+    for (const std::vector<double>& place : places_) {
+      EntityConfiguration at = withAxesAt(start_, place);
+      const EntityConfiguration own = space_.ownAt(at);
+      const auto solution = inverse_->solve(own.X_WE.inverse() * X_WT, own.joints);
+      limited = limited || solution.status == kinematics::InverseStatus::kLimit;
+      if (solution.q.size() != own.joints.size()) continue;
+      std::copy(solution.q.begin(), solution.q.end(), at.joints.begin() + static_cast<std::ptrdiff_t>(place.size()));
+      const double distance = glm::length(space_.toolAt(at).p - X_WT.p);
+      if (distance >= least || !space_.isFree(at)) continue;
+      least = distance;
+      nearest = std::move(at);
+    }
+    if (nearest) setNearest(failure, std::move(*nearest), X_WT);
+    failure.kind = limited ? Failure::Kind::kLimit : Failure::Kind::kReach;
+    const std::string& name = space_.entity().name;
+    failure.reason =
+        limited ? Text("the limits of its joints keep the tool of %1 from the goal, wherever its external axes are", name)
+                : Text("the goal is out of reach of %1, wherever its external axes are", name);
+    return failure;
+  }
+
   /// All configurations there meet something.
   Failure blocked(const Pose& X_WT) {
     Failure failure;
@@ -296,6 +359,7 @@ class GoalFinder {
     if (most != blocks_.end()) failure.blocked_by = most->first;
     failure.reason =
         Text("the goal is not free with a clearance of %1: %2", Text::Length{space_.clearance()}, first_blocker_);
+    if (space_.axisVariables() > 0) keepPlacesFor(X_WT);
     for (const double step : kNearestSteps) {
       for (int i = 0; i < 27; ++i) {
         const dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
@@ -312,7 +376,9 @@ class GoalFinder {
   FreeSpace& space_;
   const EntityConfiguration& start_;
   const std::uint64_t seed_;
-  std::unique_ptr<kinematics::InverseModel> inverse_;
+  std::unique_ptr<kinematics::InverseModel> inverse_;  ///< Of the robot without its external axes.
+  std::size_t most_placed_ = kMostPlaced;
+  std::vector<std::vector<double>> places_;            ///< Of the external axes; empty: there are none.
   std::size_t tried_ = 0;
   Blocks blocks_;
   Text first_blocker_;

@@ -24,8 +24,9 @@ constexpr double kSlackShare = 0.1, kLeastSlack = 2e-4;
 /// Of the checks that a search may make: for joining a hint. Half: hints are given up sooner; twice: a bad hint costs
 /// more.
 constexpr std::size_t kHintShare = 20;
-/// m: distances at the waypoints are measured up to here.
-constexpr double kMeasured = 0.1;
+/// Clearances up to which distances at the waypoints are measured. Half: all of them are the clearance; twice: some ms
+/// more in a full cell.
+constexpr double kMeasured = 2.0;
 /// Pieces of a motion by which its length is measured. Half: 1 % short for a quarter turn; twice: twice the time.
 constexpr int kLengthPieces = 16;
 
@@ -249,7 +250,7 @@ class Planning {
     Plan plan;
     plan.slack = slack_;
     plan.leaves_contact = problem_.leaves_contact;
-    plan.clearance_min = kMeasured;
+    plan.clearance_min = kMeasured * space_.clearance();
     dvec3 p_WT = space_.toolAt(path_.front()).p;
     for (std::size_t i = 0; i < path_.size(); ++i) {
       plan.clearance_min = std::min(plan.clearance_min, space_.clearanceAt(path_[i], plan.clearance_min));
@@ -305,7 +306,8 @@ Expected<PlanResult> plan(const Problem& problem, const FreeSpace& space) {
 }
 
 Expected<PlanResult> plan(const Problem& problem, const config::Configuration& configuration) {
-  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements, problem.hand);
+  const auto space = FreeSpace::create(problem.scene, problem.entity, configuration, problem.placements, problem.hand,
+                                       problem.with_axes);
   HAPTICELL_TRY(space);
   return plan(problem, *space);
 }

@@ -31,7 +31,8 @@ struct Plan {
   std::optional<Pose> X_WGoal = {};  ///< Of goal::ToPose.
   std::optional<mannequin::Side> hand = {};  ///< Problem::hand
   double length = 0.0;         ///< Way of the tool (of a solid's origin), m.
-  double clearance_min = 0.0;  ///< m, the least distance at the waypoints, up to 0.1 m; see writtenPlanPromises().
+  /// m, the least distance at the waypoints, up to twice the clearance that was planned with; see writtenPlanPromises().
+  double clearance_min = 0.0;
   /// m: it was planned with so much more than the clearance, so that its corners may be rounded off (timedMotion()).
   double slack = 0.0;
   /// Its first and last piece may be nearer than the clearance, by LeavingRule (Problem::leaves_contact).

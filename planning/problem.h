@@ -24,7 +24,7 @@ namespace goal {
 struct ToPose {
   Pose X_WT;
 };
-/// A robot's joints, one number a variable (rad or m).
+/// A robot's joints, one number a variable (rad or m); with its external axes, theirs first.
 struct ToJoints {
   std::vector<double> joints;
 };
@@ -65,6 +65,9 @@ struct Problem {
   workcell::EntityId entity = 0;
   /// Of a mannequin: the hand that moves, by its grip; the feet stay. Empty for all others.
   std::optional<mannequin::Side> hand = {};
+  /// External axes that carry the robot and are not locked move along (FreeSpace::create()); joints of `start`, `hints`
+  /// and goals are then all of theirs.
+  bool with_axes = false;
   /// Where entities are that do not stand as in the scene; the planned one too.
   manipulation::Placements placements = {};
   /// Where the motion begins; empty: where the entity stands.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 #include "planning/standing_figure.h"
 
@@ -28,7 +30,9 @@ struct Place {
 
 class Shortening {
  public:
-  Shortening(FreeSpace& space, Path path, std::uint64_t seed) : space_(space), path_(std::move(path)), random_(seed) {}
+  Shortening(FreeSpace& space, Path path, std::uint64_t seed) : space_(space), path_(std::move(path)), random_(seed) {
+    for (std::size_t i = 0; i < path_.size(); ++i) names_.push_back(next_name_++);
+  }
 
   Path run() {
     leaveOut();
@@ -46,13 +50,25 @@ class Shortening {
   /// From each waypoint straight to the farthest one that can be reached so.
   void leaveOut() {
     Path kept{path_.front()};
+    std::vector<std::size_t> names{names_.front()};
     for (std::size_t at = 0; at + 1 < path_.size();) {
       std::size_t next = path_.size() - 1;
-      while (next > at + 1 && !space_.isFree(path_[at], path_[next])) --next;
+      while (next > at + 1 && !reaches(at, next)) --next;
       kept.push_back(path_[next]);
+      names.push_back(names_[next]);
       at = next;
     }
     path_ = std::move(kept);
+    names_ = std::move(names);
+  }
+
+  /// What was found to be in the way once is so again: the second leaveOut() does not ask.
+  bool reaches(std::size_t from, std::size_t to) {
+    const std::pair<std::size_t, std::size_t> ends(names_[from], names_[to]);
+    if (blocked_.contains(ends)) return false;
+    if (space_.isFree(path_[from], path_[to])) return true;
+    blocked_.insert(ends);
+    return false;
   }
 
   Place placeAt(double t) const {
@@ -79,6 +95,11 @@ class Shortening {
     path.push_back(end);
     path.insert(path.end(), path_.begin() + static_cast<std::ptrdiff_t>(to.piece) + 1, path_.end());
     path_ = std::move(path);
+    const auto first = names_.begin() + static_cast<std::ptrdiff_t>(from.piece) + 1;
+    const auto last = names_.begin() + static_cast<std::ptrdiff_t>(to.piece) + 1;
+    const auto place = names_.erase(first, last);
+    names_.insert(place, {next_name_, next_name_ + 1});
+    next_name_ += 2;
   }
 
   /// Each corner is replaced by two blunter ones, as far out as the way between them is free.
@@ -103,6 +124,9 @@ class Shortening {
 
   FreeSpace& space_;
   Path path_;
+  std::vector<std::size_t> names_;  ///< Of the waypoints, until corners are cut.
+  std::size_t next_name_ = 0;
+  std::set<std::pair<std::size_t, std::size_t>> blocked_;  ///< Names of waypoints with something between them.
   std::mt19937_64 random_;
 };
 

@@ -76,7 +76,8 @@ Expected<std::shared_ptr<const SpacePlan>> SpacePlan::create(std::shared_ptr<con
                                                              workcell::EntityId id,
                                                              const config::Configuration& configuration,
                                                              const manipulation::Placements& placements,
-                                                             const std::optional<mannequin::Side>& hand) {
+                                                             const MovedChoice& choice) {
+  const std::optional<mannequin::Side>& hand = choice.hand;
   const workcell::Entity* entity = scene->find(id);
   HAPTICELL_TRY(canBePlannedFor(entity, hand.has_value()));
   std::vector<Text> notes;
@@ -85,12 +86,13 @@ Expected<std::shared_ptr<const SpacePlan>> SpacePlan::create(std::shared_ptr<con
   const EntityConfiguration present = manipulation::standingOf(*entity, placements);
   free.X_WE = present.X_WE;
   if (free.robot()) free.setJoints(present.joints);
-  const std::shared_ptr<SpacePlan> plan(new SpacePlan(HeldModel(std::move(scene), free, placements, false, notes)));
-  plan->present_ = present;
+  const std::shared_ptr<SpacePlan> plan(new SpacePlan(HeldModel(std::move(scene), free, placements, choice.with_axes, notes)));
+  plan->present_ = plan->model_.taken();
   std::vector<manipulation::Taking::Part> parts;
   for (const MovedPart& part : plan->model_.parts()) parts.push_back({part.link, part.X_LP});
   manipulation::MovedBy moved_by;
   if (hand) moved_by = manipulation::by::Hand{.side = *hand};
+  for (const Text& note : notes) plan->addNote(note);
   const manipulation::Taking taking{
       plan->model_.form(),   plan->model_.taken(), manipulation::resolved(moved_by, plan->model_.form()),
       *plan->model_.scene(), configuration,        parts};
@@ -100,7 +102,7 @@ Expected<std::shared_ptr<const SpacePlan>> SpacePlan::create(std::shared_ptr<con
   if (hand) plan->figure_ = std::make_unique<const StandingFigure>(taking, *hand);
   const HeldPairs held(plan->model_, *plan->manipulator_, placements,
                        {moved_by, entity->contact.on_contact, entity->contact.force_class}, configuration);
-  plan->note_ = held.leftOutNote();
+  plan->addNote(held.leftOutNote());
   if (hand) plan->addNote(plan->figure_->note());
   plan->addPairs(held);
   plan->addObstacles(held);

@@ -32,6 +32,12 @@ struct CheckedPair : manipulation::Manipulator::OwnPair {
   Blocker words = {};
 };
 
+/// What of the entity moves.
+struct MovedChoice {
+  std::optional<mannequin::Side> hand = {};  ///< Of a mannequin.
+  bool with_axes = false;                    ///< The external axes of a robot too.
+};
+
 /// What a FreeSpace moves and checks, and what follows from it once for all: shared by all its copies, constant but for
 /// what is found at the first question. Any thread.
 class SpacePlan {
@@ -41,7 +47,7 @@ class SpacePlan {
                                                            workcell::EntityId entity,
                                                            const config::Configuration& configuration,
                                                            const manipulation::Placements& placements,
-                                                           const std::optional<mannequin::Side>& hand);
+                                                           const MovedChoice& choice);
 
   const manipulation::HeldModel& model() const { return model_; }
   const manipulation::Manipulator& manipulator() const { return *manipulator_; }

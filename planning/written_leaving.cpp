@@ -250,11 +250,11 @@ class Judge {
 
 Expected<std::unique_ptr<MeasuredMotion>> motionOf(const Trajectory& fine, const std::vector<std::size_t>& columns,
                                                    const std::shared_ptr<const manipulation::PreparedScene>& scene,
-                                                   const workcell::Entity& entity,
+                                                   const workcell::Entity& entity, bool with_axes,
                                                    const config::Configuration& configuration) {
   if (!columns.empty() && entity.figure() == nullptr) {
-    auto check =
-        manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOutLasting);
+    auto check = manipulation::JointCheck::create(scene, entity.id, configuration,
+                                                  manipulation::RestContacts::kLeaveOutLasting, with_axes);
     HAPTICELL_TRY(check);
     return std::make_unique<JointMotion>(std::move(*check), fine, columns);
   }
@@ -273,7 +273,7 @@ Expected<Leaving> measuredLeaving(const Trajectory& fine, const std::vector<std:
                                   const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                   const workcell::Entity& entity, const LeavingLook& look,
                                   const config::Configuration& configuration) {
-  const auto motion = motionOf(fine, columns, scene, entity, configuration);
+  const auto motion = motionOf(fine, columns, scene, entity, look.with_axes, configuration);
   HAPTICELL_TRY(motion);
   Leaving leaving = Judge(fine, **motion, look).run();
   leaving.still = (*motion)->still();

@@ -22,6 +22,7 @@ struct Leaving {
 struct LeavingLook {
   double clearance = 0.0;  ///< m
   double look = 0.05;      ///< m: larger gaps are not measured.
+  bool with_axes = false;  ///< `fine` has the joints of the robot's external axes too (motionOfAll()).
 };
 
 /// Measures the gaps of all pairs of a robot's (columns: its joints), a mannequin's or a solid's parts with the cell at

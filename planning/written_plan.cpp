@@ -7,6 +7,8 @@
 #include "manipulation/checks/joint_check.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
+#include "manipulation/holding/held_model.h"
+#include "planning/axis_motions.h"
 #include "planning/written_leaving.h"
 #include "planning/written_poses.h"
 #include "trajectory/files/trajectory_io.h"
@@ -30,6 +32,8 @@ constexpr double kLeavingLook = 0.05;
 constexpr double kEnds = 1e-5;
 /// rad, m beyond a limit: rounding of the curves. Half: passes as well; twice: 4e-5 beyond passes.
 constexpr double kBeyondLimit = 2e-5;
+/// Share of a greatest speed: what remains of the times' rounding. Half, twice: as well.
+constexpr double kSpeedRounding = 1e-6;
 
 /// The same motion with places between its frames.
 Trajectory refined(const Trajectory& given) {
@@ -78,19 +82,102 @@ struct Clearance {
 /// Of a robot: what no joint moves (a base on its table) is left out.
 Expected<Clearance> clearanceOfJoints(const Trajectory& fine, const std::vector<std::size_t>& columns,
                                       const std::shared_ptr<const manipulation::PreparedScene>& scene,
-                                      const workcell::Entity& entity, double look,
+                                      const workcell::Entity& entity, const LeavingLook& wanted,
                                       const config::Configuration& configuration) {
-  auto check =
-      manipulation::JointCheck::create(scene, entity.id, configuration, manipulation::RestContacts::kLeaveOutLasting);
+  auto check = manipulation::JointCheck::create(scene, entity.id, configuration,
+                                                manipulation::RestContacts::kLeaveOutLasting, wanted.with_axes);
   HAPTICELL_TRY(check);
-  Clearance clearance{look, 0.0};
-  std::vector<double> joints = entity.joints();
+  Clearance clearance{wanted.look, 0.0};
+  std::vector<double> joints = check->entity().joints();
   for (std::size_t i = 0; i < fine.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) joints[columns[j]] = fine.joints(i)[j];
     const double distance = check->clearance(joints, clearance.least);
     if (distance < clearance.least) clearance = {distance, fine[i].t};
   }
   return clearance;
+}
+
+/// What the files say together.
+struct ReadMotions {
+  workcell::Entity entity;                         ///< With its external axes, if they move: all as one robot.
+  Trajectory own;                                  ///< Of the entity.
+  std::vector<std::shared_ptr<const Trajectory>> axes;
+  Trajectory all;                                  ///< With the joints of the axes.
+  std::vector<std::size_t> columns;                ///< Of `all` in `entity`.
+  std::size_t axis_joints = 0;                     ///< The first of them.
+};
+
+Error otherEntity(const std::filesystem::path& file, const Trajectory& motion) {
+  return {.file = file.string(),
+          .found = Text("a motion of '%1'", motion.entity),
+          .expected = "a motion of the entity that was planned for"};
+}
+
+Expected<ReadMotions> readMotions(const WrittenFiles& written,
+                                  const std::shared_ptr<const manipulation::PreparedScene>& scene,
+                                  const workcell::Entity* entity) {
+  auto own = trajectory::readTrajectory(written.motion);
+  HAPTICELL_TRY(own);
+  const bool is_other = entity == nullptr || (!own->entity.empty() && own->entity != entity->name);
+  if (is_other || own->empty()) return makeError(otherEntity(written.motion, *own));
+  ReadMotions read{*entity, *own, {}, *own, {}, 0};
+  if (!written.axes.empty()) {
+    std::vector<Text> notes;
+    workcell::Entity free = *entity;
+    free.locked = false;
+    const manipulation::HeldModel model(scene, free, {}, true, notes);
+    const auto members = model.members();
+    std::vector<Trajectory> axes;
+    for (std::size_t k = 0; k < written.axes.size(); ++k) {
+      auto axis = trajectory::readTrajectory(written.axes[k]);
+      HAPTICELL_TRY(axis);
+      const bool is_complete = written.axes.size() + 1 == members.size();
+      if (is_complete && axis->entity.empty()) axis->entity = members[k]->name;  // Tables do not name it.
+      if (!is_complete || axis->entity != members[k]->name) return makeError(otherEntity(written.axes[k], *axis));
+      read.axes.push_back(std::make_shared<const Trajectory>(*axis));
+      read.axis_joints += axis->joint_names.size();
+      axes.push_back(std::move(*axis));
+    }
+    read.entity = model.form();
+    auto all = motionOfAll(*own, axes, read.entity);
+    HAPTICELL_TRY(all);
+    read.all = std::move(*all);
+  }
+  auto columns = manipulation::jointColumns(read.entity, read.all);
+  HAPTICELL_TRY(columns);
+  read.columns = std::move(*columns);
+  return read;
+}
+
+/// The worst joint of the external axes.
+struct AxisLimits {
+  double beyond = 0.0;  ///< rad, m
+  Text where_beyond;
+  double speed = 0.0;   ///< Share of the greatest.
+  Text where_speed;
+};
+
+AxisLimits axisLimits(const ReadMotions& read) {
+  AxisLimits worst;
+  const kinematics::RobotModel& robot = *read.entity.robot();
+  for (std::size_t j = 0; j < read.axis_joints; ++j) {
+    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[read.columns[j]])];
+    for (std::size_t i = 0; i < read.all.size(); ++i) {
+      const double q = read.all.joints(i)[j];
+      const double beyond = std::max(q - joint.upper, joint.lower - q);
+      if (beyond > worst.beyond) {
+        worst.beyond = beyond;
+        worst.where_beyond = Text("joint '%1'", joint.name);
+      }
+      if (i == 0) continue;
+      const double way = std::abs(q - read.all.joints(i - 1)[j]);
+      const double speed = way / (read.all[i].t - read.all[i - 1].t) / kinematics::greatestSpeed(joint);
+      if (speed <= worst.speed) continue;
+      worst.speed = speed;
+      worst.where_speed = Text("joint '%1'", joint.name);
+    }
+  }
+  return worst;
 }
 
 Text timeText(double t) {
@@ -128,7 +215,7 @@ Text TightPair::text() const {
                    : Text("%1 touches %2 at the start, and is clear of it from %3 s on", moved, met, when);
 }
 
-Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, const Plan& plan, double clearance,
+Expected<Promises> writtenPlanPromises(const WrittenFiles& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId id, const config::Configuration& configuration) {
   auto check = checkWrittenPlan(written, plan, clearance, scene, id, configuration);
@@ -136,35 +223,34 @@ Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, con
   return std::move(check->promises);
 }
 
-Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, const Plan& plan, double clearance,
+Expected<WrittenPlan> checkWrittenPlan(const WrittenFiles& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId id, const config::Configuration& configuration) {
   const workcell::Entity* entity = scene->find(id);
-  auto motion = trajectory::readTrajectory(written);
-  HAPTICELL_TRY(motion);
-  const bool is_other = entity == nullptr || (!motion->entity.empty() && motion->entity != entity->name);
-  if (is_other || motion->empty())
-    return makeError({.file = written.string(),
-                      .found = Text("a motion of '%1'", motion->entity),
-                      .expected = "a motion of the entity that was planned for"});
-  const auto columns = manipulation::jointColumns(*entity, *motion);
-  HAPTICELL_TRY(columns);
-  const Trajectory fine = refined(*motion);
+  const auto read = readMotions(written, scene, entity);
+  HAPTICELL_TRY(read);
+  const std::vector<std::size_t>& columns = read->columns;
+  const Trajectory fine = refined(read->all);
   manipulation::PathCheckOptions options;
   options.look = std::max(kLook, 2.0 * clearance);
-  const auto check = manipulation::checkPath(scene, entity->name, fine, options, configuration);
+  options.axes = read->axes;
+  const bool has_axes = !read->axes.empty();
+  const auto check = manipulation::checkPath(scene, entity->name, has_axes ? refined(read->own) : fine, options,
+                                             configuration);
   HAPTICELL_TRY(check);
 
   const bool is_figure = entity->figure() != nullptr;
   Clearance least{std::min(options.look, check->least_clearance), check->t_nearest};
-  if (!columns->empty() && !is_figure) {
-    auto of_joints = clearanceOfJoints(fine, *columns, scene, *entity, options.look, configuration);
+  const LeavingLook near{clearance, std::max(kLeavingLook, 2.0 * clearance), has_axes};
+  const LeavingLook far{clearance, options.look, has_axes};
+  if (!columns.empty() && !is_figure) {
+    auto of_joints = clearanceOfJoints(fine, columns, scene, *entity, far, configuration);
     HAPTICELL_TRY(of_joints);
     least = *of_joints;
   }
   Leaving leaving;
   if (plan.leaves_contact || is_figure) {
-    auto measured = measuredLeaving(fine, *columns, scene, *entity, {clearance, std::max(kLeavingLook, 2.0 * clearance)}, configuration);
+    auto measured = measuredLeaving(fine, columns, scene, *entity, near, configuration);
     HAPTICELL_TRY(measured);
     leaving = std::move(*measured);
     if (!leaving.tight.empty() || is_figure) least = {leaving.least, leaving.t_least};
@@ -193,17 +279,21 @@ Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, con
   promises.list.push_back({"clearance", clearance, least.least, "m", timeText(least.t), true, 1e-6});
   promises.list.push_back({"contacts", 0.0, contacts, "", {}, false, 0.0, where_contact, Text("no contact on the way")});
   if (is_figure) {
-    for (Promise& one : figurePromises(fine, *columns, *entity)) promises.list.push_back(std::move(one));
+    for (Promise& one : figurePromises(fine, columns, *entity)) promises.list.push_back(std::move(one));
   } else {
-    promises.list.push_back({"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondLimit});
+    const AxisLimits axes = axisLimits(*read);
+    const bool is_axis = axes.beyond > beyond;
+    promises.list.push_back({"limits", 0.0, is_axis ? axes.beyond : beyond, "rad",
+                             is_axis ? axes.where_beyond : where_beyond, false, kBeyondLimit});
+    if (has_axes) promises.list.push_back({"axis_speed", 1.0, axes.speed, "", axes.where_speed, false, kSpeedRounding});
   }
-  const std::vector<Pose> X_WT = writtenPoses(fine, *columns, *entity, plan.hand);
+  const std::vector<Pose> X_WT = writtenPoses(fine, columns, read->entity, plan.hand);
   for (Promise& one : posePromises(fine, X_WT, plan)) promises.list.push_back(std::move(one));
-  const char* const unit = columns->empty() ? "m" : "rad";
+  const char* const unit = columns.empty() ? "m" : "rad";
   promises.list.push_back(
-      {"start", kEnds, differenceOf(*motion, 0, plan.waypoints.front(), *columns), unit, {}, false, 0.0});
+      {"start", kEnds, differenceOf(read->all, 0, plan.waypoints.front(), columns), unit, {}, false, 0.0});
   promises.list.push_back(
-      {"goal", kEnds, differenceOf(*motion, motion->size() - 1, plan.waypoints.back(), *columns), unit, {}, false, 0.0});
+      {"goal", kEnds, differenceOf(read->all, read->all.size() - 1, plan.waypoints.back(), columns), unit, {}, false, 0.0});
   promises.help = "Ask for a larger clearance, or for another seed.";
   promises.can_be_forced = false;
   addLeaving(leaving, promises);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/configuration.h"
@@ -29,6 +30,15 @@ struct WrittenPlan {
   std::vector<TightPair> tight;
 };
 
+/// The files of a plan.
+struct WrittenFiles {
+  WrittenFiles(std::filesystem::path of_entity, std::vector<std::filesystem::path> of_axes = {})
+      : motion(std::move(of_entity)), axes(std::move(of_axes)) {}
+  std::filesystem::path motion;
+  /// Of a robot's external axes, as motionsOfEntities() gives them; empty: they stay.
+  std::vector<std::filesystem::path> axes;
+};
+
 /// Reads the motion that was written for a plan, and measures what was promised: the clearance to all but the entity's
 /// own parts, no contact on the way (checkPath(), continuously), joints within their limits, and the ends of the plan.
 ///
@@ -41,13 +51,15 @@ struct WrittenPlan {
 /// until they are left and once they are reached, and add two promises: "depth" (m) at start and goal, and "closing" (m):
 /// by how much a gap becomes smaller that is to open, or larger that is to close. Gaps below 0 are the shortest shift
 /// that was found along a few directions.
-/// Errors: the file cannot be read, or is of another entity.
-Expected<WrittenPlan> checkWrittenPlan(const std::filesystem::path& written, const Plan& plan, double clearance,
+/// With external axes, "limits" counts their joints too, and there is "axis_speed": the share of the greatest speed of the
+/// axes' joints from frame to frame.
+/// Errors: a file cannot be read, or is of another entity.
+Expected<WrittenPlan> checkWrittenPlan(const WrittenFiles& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId entity, const config::Configuration& configuration = {});
 
 /// Its promises alone.
-Expected<Promises> writtenPlanPromises(const std::filesystem::path& written, const Plan& plan, double clearance,
+Expected<Promises> writtenPlanPromises(const WrittenFiles& written, const Plan& plan, double clearance,
                                        const std::shared_ptr<const manipulation::PreparedScene>& scene,
                                        workcell::EntityId entity, const config::Configuration& configuration = {});
 

@@ -2,11 +2,14 @@
 #include "app/planning/path_planner.h"
 
 #include <atomic>
+#include <iterator>
+#include <string>
 #include <utility>
 
 #include "app/kit/thread_pool_task.h"
 #include "geometry/system/atomic_file.h"
 #include "geometry/system/scratch_folder.h"
+#include "planning/axis_motions.h"
 #include "planning/timed_plan.h"
 #include "planning/written_plan.h"
 #include "trajectory/files/trajectory_io.h"
@@ -19,22 +22,27 @@ namespace {
 /// clearance; as `hapticell-cli plan`. The last is exact but rests at corners.
 constexpr double kRoundings[] = {1.0, 0.4, 0.1};
 
-Expected<planning::WrittenPlan> measuredAsWritten(const trajectory::Trajectory& motion, const planning::Plan& plan,
-                                     const PathRequest& request) {
+/// `motions`: of the entity first, then of its axes.
+Expected<planning::WrittenPlan> measuredAsWritten(const std::vector<trajectory::Trajectory>& motions,
+                                                  const planning::Plan& plan, const PathRequest& request) {
   const auto folder = ScratchFolder::make();
   HAPTICELL_TRY(folder);
-  const std::filesystem::path file = folder->path() / "path.htraj";
-  HAPTICELL_TRY(writeFileAtomically(file, toJsonText(motion)));
-  return planning::checkWrittenPlan(file, plan, request.problem.clearance, request.problem.scene, request.problem.entity,
-                                    request.configuration);
+  std::vector<std::filesystem::path> files;
+  for (const trajectory::Trajectory& motion : motions) {
+    files.push_back(folder->path() / ("path" + std::to_string(files.size()) + ".htraj"));
+    HAPTICELL_TRY(writeFileAtomically(files.back(), toJsonText(motion)));
+  }
+  return planning::checkWrittenPlan({files.front(), {files.begin() + 1, files.end()}}, plan, request.problem.clearance,
+                                    request.problem.scene, request.problem.entity, request.configuration);
 }
 
 Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& request, PathAnswer& answer) {
   Error missed;
   for (const double rounding : kRoundings) {
-    auto motion = planning::timedMotion(*answer.result.plan, space, {.sample_s = 0.01, .rounding = rounding});
+    const auto motion = planning::timedMotion(*answer.result.plan, space, {.sample_s = 0.01, .rounding = rounding});
     HAPTICELL_TRY(motion);
-    const auto check = measuredAsWritten(*motion, *answer.result.plan, request);
+    auto motions = planning::motionsOfEntities(*motion, space);
+    const auto check = measuredAsWritten(motions, *answer.result.plan, request);
     HAPTICELL_TRY(check);
     const Promises& promises = check->promises;
     if (!promises.areKept()) {
@@ -44,7 +52,8 @@ Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& re
     answer.clearance = promises.list.front().measured;
     answer.clearance_place = promises.list.front().place;
     for (const planning::TightPair& one : check->tight) answer.tight.push_back(one.text());
-    answer.motion = std::move(*motion);
+    answer.motion = std::move(motions.front());
+    answer.axes.assign(std::make_move_iterator(motions.begin() + 1), std::make_move_iterator(motions.end()));
     return {};
   }
   return tl::unexpected(std::move(missed));
@@ -53,11 +62,12 @@ Expected<void> addMotion(const planning::FreeSpace& space, const PathRequest& re
 Expected<PathAnswer> planPath(PathRequest& request) {
   request.problem.scene = request.scenes->prepare(std::move(request.source));
   const auto space = planning::FreeSpace::create(request.problem.scene, request.problem.entity, request.configuration,
-                                                 request.problem.placements, request.problem.hand);
+                                                 request.problem.placements, request.problem.hand,
+                                                 request.problem.with_axes);
   HAPTICELL_TRY(space);
   auto result = planning::plan(request.problem, *space);
   HAPTICELL_TRY(result);
-  PathAnswer answer{std::move(*result), std::nullopt, 0.0, {}, {}};
+  PathAnswer answer{std::move(*result), std::nullopt, {}, 0.0, {}, {}};
   if (answer.result.isSolved()) HAPTICELL_TRY(addMotion(*space, request, answer));
   return answer;
 }

@@ -28,6 +28,7 @@ struct PathRequest {
 struct PathAnswer {
   planning::PlanResult result;
   std::optional<trajectory::Trajectory> motion;
+  std::vector<trajectory::Trajectory> axes;  ///< Motions of the external axes that move along.
   double clearance = 0.0;  ///< m: the least distance on the written motion.
   Text clearance_place;    ///< Where that is: "at 1.2 s, frame 30"; may be empty.
   std::vector<Text> tight;  ///< Sentences on what begins or ends in contact or nearer than the clearance.

@@ -30,6 +30,17 @@ double unitOfVariable(const workcell::Entity& robot, std::size_t variable) {
   return unitOf(model.joints[static_cast<std::size_t>(model.moving[variable])]);
 }
 
+/// Sizes of the shown units of all variables, those of the axes first.
+std::vector<double> unitsOf(const workcell::Entity& robot, const PlanGoalForm::Axes& axes) {
+  std::vector<double> units;
+  const auto add = [&](const workcell::Entity& one) {
+    for (std::size_t i = 0; i < one.joints().size(); ++i) units.push_back(unitOfVariable(one, i));
+  };
+  for (const workcell::Entity* axis : axes) add(*axis);
+  add(robot);
+  return units;
+}
+
 /// The frame that a plan moves: the tool, the entity's own, or the grip of a mannequin's hand.
 Pose movedPose_W(const workcell::Entity& entity, mannequin::Side hand) {
   if (entity.figure()) {
@@ -109,17 +120,28 @@ void PlanGoalForm::showKind() {
   take_->setVisible(kind == kPose || kind == kJoints);
 }
 
-void PlanGoalForm::take(const workcell::Entity& entity, mannequin::Side hand) {
+void PlanGoalForm::take(const workcell::Entity& entity, mannequin::Side hand, const Axes& axes) {
   const auto numbers = poseNumbers(movedPose_W(entity, hand));
   for (std::size_t i = 0; i < pose_.size(); ++i) {
     pose_[i]->setValue(numbers[i]);
     taken_[i] = pose_[i]->value();
   }
-  if (!entity.robot() || entity.figure()) return;
+  if (entity.robot() && !entity.figure()) takeJoints(entity, axes);
+}
+
+void PlanGoalForm::takeJoints(const workcell::Entity& entity, const Axes& axes) {
+  std::vector<double> joints;
+  for (const workcell::Entity* axis : axes) joints.insert(joints.end(), axis->joints().begin(), axis->joints().end());
+  joints.insert(joints.end(), entity.joints().begin(), entity.joints().end());
+  const std::vector<double> units = unitsOf(entity, axes);
   QStringList words;
-  for (std::size_t i = 0; i < entity.joints().size(); ++i)
-    words << QString::number(entity.joints()[i] / unitOfVariable(entity, i), 'f', 3);
-  joints_->setText(words.join("; "));
+  for (std::size_t i = 0; i < joints.size(); ++i) words << QString::number(joints[i] / units[i], 'f', 3);
+  taken_joints_ = words.join("; ");
+  joints_->setText(taken_joints_);
+}
+
+void PlanGoalForm::takeAxes(const workcell::Entity& entity, const Axes& axes) {
+  if (joints_->text() == taken_joints_) takeJoints(entity, axes);
 }
 
 bool PlanGoalForm::isAsTaken() const {
@@ -128,7 +150,7 @@ bool PlanGoalForm::isAsTaken() const {
   return true;
 }
 
-Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity) const {
+Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity, const Axes& axes) const {
   const int kind = kind_->currentData().toInt();
   if (kind == kOut) return planning::Goal(planning::goal::OutOfCell{});
   if (kind == kFrame) {
@@ -142,18 +164,24 @@ Expected<planning::Goal> PlanGoalForm::goal(const workcell::Entity& entity) cons
     return planning::Goal(planning::goal::ToPose{poseFromNumbers(numbers)});
   }
   const QStringList words = joints_->text().split(';', Qt::SkipEmptyParts);
-  const std::size_t count = entity.joints().size();
+  const std::size_t own = entity.joints().size();
+  std::vector<double> units = unitsOf(entity, axes);
+  const std::size_t all = units.size();
+  if (static_cast<std::size_t>(words.size()) == own) units.erase(units.begin(), units.end() - static_cast<std::ptrdiff_t>(own));
   std::vector<double> joints;
   for (const QString& word : words) {
     bool is_number = false;
     const double value = word.trimmed().toDouble(&is_number);
-    if (is_number && std::isfinite(value) && joints.size() < count)
-      joints.push_back(value * unitOfVariable(entity, joints.size()));
+    if (is_number && std::isfinite(value) && joints.size() < units.size()) joints.push_back(value * units[joints.size()]);
   }
-  if (joints.size() != count || static_cast<std::size_t>(words.size()) != count || count == 0)
+  const auto count = static_cast<std::size_t>(words.size());
+  if (joints.size() != count || (count != own && count != all) || count == 0)
     return makeError({.place = "goal",
                       .found = Text("%1 joints", joints.size()),
-                      .expected = Text("%1 numbers, separated by semicolons", count)});
+                      .expected = own == all ? Text("%1 numbers, separated by semicolons", own)
+                                             : Text("%1 numbers, separated by semicolons: those of the external axes "
+                                                    "first; or %2 of its own, and the axes stay",
+                                                    all, own)});
   return planning::Goal(planning::goal::ToJoints{std::move(joints)});
 }
 

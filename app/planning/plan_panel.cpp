@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/planning/plan_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
@@ -9,13 +10,13 @@
 #include <initializer_list>
 #include <utility>
 
+#include "app/controls/external_axes.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/kit/form.h"
-#include "app/planning/plan_goal_form.h"
 #include "app/planning/through_list.h"
 #include "app/style/library_text.h"
 #include "app/style/value_field.h"
@@ -55,16 +56,26 @@ void PlanPanel::addSettings(QVBoxLayout& column) {
   name_->setObjectName("labelPlanEntity");
   name_->setWordWrap(true);
   rows->addWidget(name_);
-  hand_ = new QComboBox;
-  hand_->setObjectName("choicePlanHand");
-  hand_->addItems({tr("Right hand"), tr("Left hand")});
-  hand_row_ = addRow(*rows, tr("Moves"), hand_);
+  moving_.hand = new QComboBox;
+  moving_.hand->setObjectName("choicePlanHand");
+  moving_.hand->addItems({tr("Right hand"), tr("Left hand")});
+  moving_.hand_row = addRow(*rows, tr("Moves"), moving_.hand);
+  moving_.axes = new QCheckBox;
+  moving_.axes->setObjectName("switchPlanAxes");
+  moving_.axes->setMinimumHeight(24);
+  moving_.axes->setChecked(true);
+  moving_.axes->setAccessibleName(tr("Move external axes too"));
+  moving_.axes->setToolTip(tr("External axes move with the robot's own joints"));
+  moving_.axes_row = addRow(*rows, tr("Axes"), moving_.axes);
+  connect(moving_.axes, &QCheckBox::clicked, this, [this] {
+    if (const auto* one = entity()) goal_->takeAxes(*one, axes());
+  });
   goal_ = new PlanGoalForm(host_);
   rows->addWidget(goal_);
   connect(goal_, &PlanGoalForm::takeWanted, this, [this] {
-    if (const auto* one = entity()) goal_->take(*one, hand());
+    if (const auto* one = entity()) goal_->take(*one, hand(), axes());
   });
-  connect(hand_, &QComboBox::currentIndexChanged, this, [this] {
+  connect(moving_.hand, &QComboBox::currentIndexChanged, this, [this] {
     const auto* one = entity();
     if (one && one->figure() && goal_->isAsTaken()) goal_->take(*one, hand());
   });
@@ -113,7 +124,25 @@ const workcell::Entity* PlanPanel::entity() const {
 }
 
 mannequin::Side PlanPanel::hand() const {
-  return hand_->currentIndex() == 0 ? mannequin::Side::kRight : mannequin::Side::kLeft;
+  return moving_.hand->currentIndex() == 0 ? mannequin::Side::kRight : mannequin::Side::kLeft;
+}
+
+PlanGoalForm::Axes PlanPanel::axes() const {
+  const workcell::Entity* one = entity();
+  if (!one || !one->robot() || one->figure() || !moving_.axes->isChecked()) return {};
+  return externalAxes(host_.documentModel().document().state(), *one);
+}
+
+void PlanPanel::showAxes() {
+  const workcell::Entity* one = entity();
+  QStringList names;
+  if (one && one->robot() && !one->figure()) {
+    for (const auto* axis : externalAxes(host_.documentModel().document().state(), *one))
+      names << QString::fromStdString(axis->name);
+  }
+  moving_.axes_row->setVisible(!names.isEmpty());
+  moving_.axes->setText(tr("%1 moves too").arg(names.join(QStringLiteral(", "))));
+  moving_.axes->setEnabled(!planner_.isBusy());
 }
 
 void PlanPanel::follow() {
@@ -125,7 +154,7 @@ void PlanPanel::follow() {
     id_ = chosen;
     last_.clear();
     blocker_.clear();
-    goal_->take(*found, hand());
+    goal_->take(*found, hand(), axes());
   }
   refresh();
 }
@@ -134,7 +163,7 @@ void PlanPanel::plan() {
   const workcell::Entity* one = entity();
   if (!one || planner_.isBusy()) return;
   blocker_.clear();
-  const auto goal = goal_->goal(*one);
+  const auto goal = goal_->goal(*one, axes());
   if (!goal) {
     last_ = shownText(goal.error());
     return refresh();
@@ -158,6 +187,9 @@ void PlanPanel::plan() {
   request.problem.entity = id_;
   if (one->figure()) request.problem.hand = hand();
   request.problem.goal = *goal;
+  // Joints of the robot alone say that its axes stay.
+  const auto* joints = std::get_if<planning::goal::ToJoints>(&*goal);
+  request.problem.with_axes = !axes().empty() && !(joints && joints->joints.size() == one->joints().size());
   request.problem.clearance = 0.001 * clearance_->value();
   planned_seed_ = static_cast<std::uint64_t>(seed_->value());
   request.problem.seed = planned_seed_;
@@ -179,6 +211,8 @@ void PlanPanel::take(const PathAnswer& answer) {
   }
   trajectory::Trajectory motion = *answer.motion;
   motion.take = tr("Path, seed %1").arg(planned_seed_).toStdString();
+  std::vector<trajectory::Trajectory> motions = answer.axes;
+  for (trajectory::Trajectory& axis : motions) axis.take = motion.take;
   last_ = tr("Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.")
               .arg(1000.0 * answer.clearance, 0, 'f', 1)
               .arg(shownText(answer.clearance_place))
@@ -187,7 +221,8 @@ void PlanPanel::take(const PathAnswer& answer) {
               .arg(planned_seed_);
   for (const Text& one : answer.tight) last_ += QLatin1Char(' ') + shownText(one) + QLatin1Char('.');
   if (!answer.result.note.empty()) last_ += QLatin1Char(' ') + shownText(answer.result.note);
-  host_.recording().deliver({std::move(motion)});
+  motions.push_back(std::move(motion));
+  host_.recording().deliver(motions);
   refresh();
 }
 
@@ -212,8 +247,9 @@ void PlanPanel::refresh() {
   plan_->setEnabled(one && !busy);
   stop_->setEnabled(busy);
   goal_->setEnabled(one && !busy);
-  hand_row_->setVisible(one && one->figure());
-  hand_->setEnabled(!busy);
+  moving_.hand_row->setVisible(one && one->figure());
+  moving_.hand->setEnabled(!busy);
+  showAxes();
   if (one) goal_->offerFor(*one);
   for (QWidget* setting : std::initializer_list<QWidget*>{through_, clearance_, seed_, time_}) {
     setting->setEnabled(!busy);

@@ -5,8 +5,10 @@
 #include <cstdint>
 
 #include "app/planning/path_planner.h"
+#include "app/planning/plan_goal_form.h"
 #include "workcell/entity/entity.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QProgressBar;
@@ -16,7 +18,6 @@ namespace hapticell::app {
 
 class Host;
 class LiveLabel;
-class PlanGoalForm;
 class ThroughList;
 class ValueField;
 
@@ -32,6 +33,9 @@ class PlanPanel : public QWidget {
   void addRun(class QVBoxLayout& column);
   const workcell::Entity* entity() const;
   mannequin::Side hand() const;
+  /// The external axes that move along with it, the lowest first.
+  PlanGoalForm::Axes axes() const;
+  void showAxes();
   void follow();
   void plan();
   void take(const PathAnswer& answer);
@@ -47,8 +51,13 @@ class PlanPanel : public QWidget {
   std::string blocker_;             ///< Name of the entity that blocks; empty: none.
   QLabel* name_;
   PlanGoalForm* goal_;
-  QComboBox* hand_;
-  QWidget* hand_row_;
+  /// What of the entity moves: a mannequin's hand, a robot's external axes.
+  struct Moving {
+    QComboBox* hand = nullptr;
+    QWidget* hand_row = nullptr;
+    QCheckBox* axes = nullptr;
+    QWidget* axes_row = nullptr;
+  } moving_;
   ThroughList* through_;
   ValueField *clearance_, *seed_, *time_;
   QPushButton *plan_, *stop_, *show_blocker_;

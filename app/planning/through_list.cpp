@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/planning/through_list.h"
 
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -36,6 +37,13 @@ ThroughList::ThroughList(Host& host, QWidget* parent) : QWidget(parent) {
   list_->setObjectName("listPlanThrough");
   list_->setAccessibleName(tr("Frames that the path passes, in this order"));
   list_->setFixedHeight(kRowsShown * (list_->fontMetrics().height() + 8) + 2 * list_->frameWidth());
+  empty_ = makeLabel({}, TextRole::kSecond);
+  empty_->setObjectName("labelPlanThroughEmpty");
+  empty_->setWordWrap(true);
+  empty_->setAlignment(Qt::AlignCenter);
+  auto* over = new QVBoxLayout(list_);
+  over->setContentsMargins(6, 0, 6, 0);
+  over->addWidget(empty_);
   column->addWidget(list_);
   add_ = namedButton(tr("Add"), "buttonPlanThroughAdd");
   remove_ = namedButton(tr("Remove"), "buttonPlanThroughRemove");
@@ -99,6 +107,9 @@ void ThroughList::move(int by) {
 
 void ThroughList::refresh() {
   const int row = list_->currentRow();
+  empty_->setVisible(list_->count() == 0);
+  empty_->setText(choice_->hasFrames() ? tr("No frame: the path goes to its goal by any way.")
+                                       : tr("The cell has no frames that the path could pass."));
   add_->setEnabled(choice_->hasFrames());
   remove_->setEnabled(row >= 0);
   up_->setEnabled(row > 0);

@@ -7,6 +7,7 @@
 #include "app/controls/reference_choice.h"
 #include "geometry/system/error.h"
 
+class QLabel;
 class QListWidget;
 class QPushButton;
 
@@ -32,6 +33,7 @@ class ThroughList : public QWidget {
 
   ReferenceChoice* choice_;
   QListWidget* list_;
+  QLabel* empty_;  ///< Over the list while it is empty: what that means.
   std::vector<Reference> frames_;  ///< One a row.
   QPushButton *add_, *remove_, *up_, *down_;
 };

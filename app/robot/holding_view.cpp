@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/controls/external_axes.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
@@ -18,7 +19,6 @@
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "kinematics/closed_form/inverse_factory.h"
-#include "kinematics/model/mounted_robot.h"
 
 namespace hapticell::app {
 namespace {
@@ -26,21 +26,6 @@ namespace {
 /// As `robot.at_singularity` has them.
 constexpr const char* kChoices[]{"keep_position", "keep_joint_4", "keep_orientation", "stop"};
 constexpr int kKeepJoint = 1;
-
-/// Names of what the robot stands on that could go along.
-QStringList axesBelow(const workcell::DocumentState& state, const workcell::Entity& robot) {
-  QStringList names;
-  const workcell::Entity* at = &robot;
-  for (std::size_t k = 0; k < state.entities.size() && !at->attachment.to.empty(); ++k) {
-    const workcell::Entity* carrier = state.findByName(at->attachment.to);
-    if (!carrier) break;
-    const int link = carrier->robot() ? carrier->robot()->findLink(at->attachment.link) : -1;
-    if (link >= 0 && !carrier->locked && !carrier->robot()->closure && kinematics::isMoved(*carrier->robot(), link))
-      names.prepend(QString::fromStdString(carrier->name));
-    at = carrier;
-  }
-  return names;
-}
 
 /// In the order of the segments; -1 for a way that they do not offer.
 int heldBy(const HoldChoice& choice) {
@@ -146,7 +131,9 @@ void HoldingView::showTools() {
 }
 
 void HoldingView::showAxes() {
-  const QStringList names = axesBelow(context_.host().documentModel().document().state(), *context_.robot());
+  QStringList names;
+  for (const auto* axis : externalAxes(context_.host().documentModel().document().state(), *context_.robot()))
+    names << QString::fromStdString(axis->name);
   axes_row_->setVisible(!names.isEmpty());
   if (names.isEmpty()) return;
   axes_->setText(tr("%1 moves too").arg(names.join(QStringLiteral(", "))));

@@ -847,6 +847,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres, séparés par des points-virgules</translation>
     </message>
     <message>
+        <source>%1 numbers, separated by semicolons: those of the external axes first; or %2 of its own, and the axes stay</source>
+        <translation>%1 nombres, séparés par des points-virgules : d'abord ceux des axes externes ; ou %2 pour le robot seul, et les axes ne bougent pas</translation>
+    </message>
+    <message>
         <source>%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels</source>
         <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
     </message>
@@ -1457,6 +1461,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, target missed</source>
         <translation>%1, cible manquée</translation>
+    </message>
+    <message>
+        <source>%1, those of the external axes first, or %2 of its own</source>
+        <translation>%1, d'abord celles des axes externes, ou %2 pour le robot seul</translation>
     </message>
     <message>
         <source>%1, tool %2</source>
@@ -2345,6 +2353,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>--to, --to-frame, --to-joints, --out</source>
         <translation>--to, --to-frame, --to-joints, --out</translation>
+    </message>
+    <message>
+        <source>--together</source>
+        <translation>--together</translation>
     </message>
     <message>
         <source>--tolerance, --angle-tolerance</source>
@@ -5031,6 +5043,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les axes externes suivent l'outil avec les axes du robot</translation>
     </message>
     <message>
+        <source>External axes move with the robot's own joints</source>
+        <translation>Les axes externes bougent avec les articulations du robot</translation>
+    </message>
+    <message>
         <source>External axes of the targets (E1 ...) are not kept.</source>
         <translation>Les axes externes des cibles (E1 ...) ne sont pas conservés.</translation>
     </message>
@@ -7349,6 +7365,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No frame in this cell yet. Add one with Insert &gt; Frame.</source>
         <translation>Pas encore de repère dans cette cellule. Ajoutez-en un : Insérer &gt; Repère.</translation>
+    </message>
+    <message>
+        <source>No frame: the path goes to its goal by any way.</source>
+        <translation>Aucun repère : le chemin mène au but de n'importe quelle façon.</translation>
     </message>
     <message>
         <source>No frames</source>
@@ -10603,6 +10623,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
     <message>
+        <source>The cell has no frames that the path could pass.</source>
+        <translation>La cellule n'a aucun repère par lequel le chemin pourrait passer.</translation>
+    </message>
+    <message>
         <source>The cell has no kept motion. Record one, or import it.</source>
         <translation>La cellule n'a aucun mouvement conservé. Enregistrez-en un ou importez-le.</translation>
     </message>
@@ -13327,6 +13351,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement des articulations du robot</translation>
     </message>
     <message>
+        <source>a motion that does not name what moves</source>
+        <translation>un mouvement qui ne nomme pas ce qui bouge</translation>
+    </message>
+    <message>
+        <source>a motion that names its entity (.htraj)</source>
+        <translation>un mouvement qui nomme son entité (.htraj)</translation>
+    </message>
+    <message>
         <source>a motion to send</source>
         <translation>un mouvement à envoyer</translation>
     </message>
@@ -13609,6 +13641,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a posture</source>
         <translation>une posture</translation>
+    </message>
+    <message>
+        <source>a posture by its joints, which is not planned: the feet stay, and balance decides on it</source>
+        <translation>une posture donnée par ses articulations, ce qui ne se planifie pas : les pieds restent en place et l'équilibre en décide</translation>
     </message>
     <message>
         <source>a power that is not a number (%1 ** %2)</source>
@@ -17047,8 +17083,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>mouvements dans le fichier, dont le premier est lu : %1</translation>
     </message>
     <message>
+        <source>motions of its external axes with other times or joints</source>
+        <translation>des mouvements de ses axes externes avec d'autres instants ou d'autres articulations</translation>
+    </message>
+    <message>
         <source>motions of one robot</source>
         <translation>des mouvements d’un même robot</translation>
+    </message>
+    <message>
+        <source>motions that were written together</source>
+        <translation>des mouvements écrits ensemble</translation>
     </message>
     <message>
         <source>moved by %1 m, %2 rad</source>
@@ -19411,6 +19455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le but est hors de portée de %1</translation>
     </message>
     <message>
+        <source>the goal is out of reach of %1, wherever its external axes are</source>
+        <translation>le but est hors de portée de %1, où que soient ses axes externes</translation>
+    </message>
+    <message>
         <source>the goal is out of reach of the %1 of %2 without a step</source>
         <translation>la %1 de %2 n'atteint pas le but sans faire un pas</translation>
     </message>
@@ -19563,6 +19611,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les limites de ses articulations empêchent l’outil de %1 d’atteindre le but</translation>
     </message>
     <message>
+        <source>the limits of its joints keep the tool of %1 from the goal, wherever its external axes are</source>
+        <translation>les butées de ses articulations empêchent l'outil de %1 d'atteindre le but, où que soient ses axes externes</translation>
+    </message>
+    <message>
         <source>the link does not exist</source>
         <translation>ce segment n'existe pas</translation>
     </message>
@@ -19681,6 +19733,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the motion moves the robot's base</source>
         <translation>le mouvement déplace la base du robot</translation>
+    </message>
+    <message>
+        <source>the motion of '%1'</source>
+        <translation>le mouvement de « %1 »</translation>
     </message>
     <message>
         <source>the motion of an expert</source>

@@ -12,7 +12,6 @@
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
 #include "manipulation/scene/scene_service.h"
-#include "trajectory/checks/motion_measures.h"
 #include "workcell/format/document_io.h"
 
 namespace hapticell::bridge {
@@ -74,6 +73,83 @@ Trajectory namedByModel(const workcell::Entity& robot, const Trajectory& motion,
   for (std::size_t i = 0; i < motion.size(); ++i)
     named.addFrame({slowed * (motion[i].t - motion[0].t), motion[i].X_WT}, motion.joints(i));
   return named;
+}
+
+struct SampledPath {
+  Trajectory path;
+  std::vector<std::size_t> points;  ///< The frames at the points of the message.
+};
+
+/// A controller's path with at least so many equal parts from point to point.
+SampledPath sampledPath(const JointTrajectory& message, int least_parts) {
+  // Half: four times the checks' distance saved is nothing against the clearances that are checked, at 1.4 times the
+  // time; twice: a thin part's edge is missed by 0.2 mm at an arm's length of 1 m.
+  constexpr double kBulge = 1e-4;
+  // A polynomial of the third degree is as good as straight in a thousandth of it; half and twice change nothing.
+  constexpr double kMostParts = 1000.0;
+  SampledPath sampled;
+  Trajectory& path = sampled.path;
+  path.has_poses = false;
+  const std::uint32_t joints = message.joint_names._length;
+  for (std::uint32_t j = 0; j < joints; ++j) path.joint_names.emplace_back(message.joint_names._buffer[j]);
+  std::vector<double> q(joints);
+  for (std::uint32_t i = 0; i < message.points._length; ++i) {
+    const JointPoint& point = message.points._buffer[i];
+    q.assign(point.positions._buffer, point.positions._buffer + joints);
+    sampled.points.push_back(path.size());
+    path.addFrame({secondsOf(point.time_from_start), {}}, q);
+    if (i + 1 == message.points._length) break;
+    std::vector<Cubic> cubics;
+    double bulge = 0.0;
+    for (std::uint32_t j = 0; j < joints; ++j) {
+      cubics.emplace_back(point, message.points._buffer[i + 1], j);
+      bulge = std::max(bulge, cubics.back().bulge());
+    }
+    const auto wanted = static_cast<int>(std::clamp(std::ceil(std::sqrt(bulge / kBulge)), 1.0, kMostParts));
+    const int parts = std::max(wanted, least_parts);
+    for (int part = 1; part < parts; ++part) {
+      const double s = static_cast<double>(part) / parts;
+      for (std::uint32_t j = 0; j < joints; ++j) q[j] = cubics[j].at(s);
+      path.addFrame({secondsOf(point.time_from_start) + s * cubics.front().h, {}}, q);
+    }
+  }
+  return sampled;
+}
+
+/// m/s: never less than the greatest speed of the moved frame on the path whose samples have these poses. Mean speeds
+/// from sample to sample are below those in between; how much is bounded by how they bend, which a polynomial of the third
+/// degree does evenly from point to point.
+double boundOfSpeed(const Trajectory& posed, const std::vector<std::size_t>& points) {
+  // By Taylor, an eighth of the second difference for what lies between two places, three eighths for what lies half a
+  // part beyond the outermost. Half: links that turn may be faster by a millionth; twice: slower by as much.
+  constexpr double kBend = 0.5;
+  double greatest = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    std::vector<dvec3> mean;
+    for (std::size_t k = points[i]; k < points[i + 1]; ++k)
+      mean.push_back((posed[k + 1].X_WT.p - posed[k].X_WT.p) / (posed[k + 1].t - posed[k].t));
+    double fastest = 0.0, bend = 0.0;
+    for (const dvec3& speed : mean) fastest = std::max(fastest, glm::length(speed));
+    for (std::size_t k = 1; k + 1 < mean.size(); ++k)
+      bend = std::max(bend, glm::length(mean[k - 1] - 2.0 * mean[k] + mean[k + 1]));
+    const auto at_end = [](const dvec3& last, const dvec3& before) { return glm::length(1.5 * last - 0.5 * before); };
+    if (mean.size() > 1)
+      fastest = std::max({fastest, at_end(mean[0], mean[1]), at_end(mean.back(), mean[mean.size() - 2])});
+    greatest = std::max(greatest, fastest + kBend * bend);
+  }
+  return greatest;
+}
+
+/// Of the message as it is; `executed` says what moves.
+Expected<double> toolSpeedBound(const workcell::Entity& robot, const JointTrajectory& message, const Trajectory& executed) {
+  // Half: the bound is a few times as far above; twice: twice the time, a fraction of the check's.
+  constexpr int kLeastParts = 8;
+  SampledPath fine = sampledPath(message, kLeastParts);
+  fine.path.entity = executed.entity;
+  fine.path.moved = executed.moved;
+  const auto posed = manipulation::posesFromJoints(robot, fine.path);
+  HAPTICELL_TRY(posed);
+  return boundOfSpeed(*posed, fine.points);
 }
 
 /// Speeds of the message against the limits of the model.
@@ -193,35 +269,7 @@ std::vector<double> greatestSpeeds(const JointTrajectory& message) {
 }
 
 Trajectory executedPath(const JointTrajectory& message) {
-  // Half: four times the checks' distance saved is nothing against the clearances that are checked, at 1.4 times the
-  // time; twice: a thin part's edge is missed by 0.2 mm at an arm's length of 1 m.
-  constexpr double kBulge = 1e-4;
-  // A polynomial of the third degree is as good as straight in a thousandth of it; half and twice change nothing.
-  constexpr double kMostParts = 1000.0;
-  Trajectory path;
-  path.has_poses = false;
-  const std::uint32_t joints = message.joint_names._length;
-  for (std::uint32_t j = 0; j < joints; ++j) path.joint_names.emplace_back(message.joint_names._buffer[j]);
-  std::vector<double> q(joints);
-  for (std::uint32_t i = 0; i < message.points._length; ++i) {
-    const JointPoint& point = message.points._buffer[i];
-    q.assign(point.positions._buffer, point.positions._buffer + joints);
-    path.addFrame({secondsOf(point.time_from_start), {}}, q);
-    if (i + 1 == message.points._length) break;
-    std::vector<Cubic> cubics;
-    double bulge = 0.0;
-    for (std::uint32_t j = 0; j < joints; ++j) {
-      cubics.emplace_back(point, message.points._buffer[i + 1], j);
-      bulge = std::max(bulge, cubics.back().bulge());
-    }
-    const auto parts = static_cast<int>(std::clamp(std::ceil(std::sqrt(bulge / kBulge)), 1.0, kMostParts));
-    for (int part = 1; part < parts; ++part) {
-      const double s = static_cast<double>(part) / parts;
-      for (std::uint32_t j = 0; j < joints; ++j) q[j] = cubics[j].at(s);
-      path.addFrame({secondsOf(point.time_from_start) + s * cubics.front().h, {}}, q);
-    }
-  }
-  return path;
+  return sampledPath(message, 1).path;
 }
 
 Expected<CheckedMotion> checkedMotion(const MotionToSend& wanted) {
@@ -253,7 +301,9 @@ Expected<CheckedMotion> checkedMotion(const MotionToSend& wanted) {
     checked.joint_share = use.share;
     checked.fastest = use.fastest;
     if (attempt == 0) notes.warnings.insert(notes.warnings.end(), use.unlimited.begin(), use.unlimited.end());
-    checked.tool_speed = trajectory_checks::greatestSpeed(executed, 0.0).speed;
+    const auto tool_speed = toolSpeedBound(**robot, *checked.message->message(), executed);
+    HAPTICELL_TRY(tool_speed);
+    checked.tool_speed = *tool_speed;
     const double excess = std::max(checked.tool_speed / wanted.tool_speed, checked.joint_share / wanted.joint_share);
     if (excess <= 1.0) break;
     checked.slowed *= excess * (1.0 + 1e-6);

@@ -29,7 +29,7 @@ struct CheckedMotion {
   std::vector<bool> is_sliding;  ///< Which of these joints are measured in m.
   double duration = 0.0;         ///< s
   double slowed = 1.0;           ///< How many times longer it lasts than its file says.
-  double tool_speed = 0.0;       ///< Greatest speed of the moved frame, m/s.
+  double tool_speed = 0.0;       ///< Greatest speed of the moved frame on the path of the controller, m/s; never less.
   double joint_share = 0.0;      ///< Greatest share of a joint's speed limit; 0: no joint has one.
   std::string fastest;           ///< The joint that reaches it.
   double least_clearance = 0.0;  ///< To the cell, m; infinite: nothing is near.

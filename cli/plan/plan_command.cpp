@@ -10,8 +10,11 @@
 
 #include "cli/kit/kept_result.h"
 #include "cli/kit/result_writer.h"
+#include "geometry/system/atomic_file.h"
 #include "geometry/system/listed.h"
+#include "geometry/system/scratch_folder.h"
 #include "manipulation/scene/scene_service.h"
+#include "planning/axis_motions.h"
 #include "planning/plan.h"
 #include "planning/timed_plan.h"
 #include "planning/written_plan.h"
@@ -29,7 +32,7 @@ using nlohmann::ordered_json;
 struct PlanOptions {
   std::string workcell, entity, hand, to, to_frame, to_joints, through, output;
   std::vector<std::string> through_frames;
-  bool out = false;
+  bool out = false, keep_axes = false;
   double clearance = 0.005, time = 10.0;
   int seed = 1, jobs = 0;
 };
@@ -139,11 +142,15 @@ Expected<planning::Problem> problemOf(const PlanOptions& options) {
                       .expected = Text("one of %1", known)});
   }
   problem.entity = entity->id;
+  problem.with_axes = entity->figure() == nullptr && !options.keep_axes;
   if (!options.hand.empty()) problem.hand = options.hand == "left" ? mannequin::Side::kLeft : mannequin::Side::kRight;
   problem.scene = manipulation::SceneService().prepare(manipulation::sourceOf(*document, {}));
   auto goal = goalOf(options, problem);
   HAPTICELL_TRY(goal);
   problem.goal = std::move(*goal);
+  // Joints of the robot alone say that its axes stay.
+  const auto* joints = std::get_if<planning::goal::ToJoints>(&problem.goal);
+  if (joints != nullptr && entity->robot() && joints->joints.size() == entity->robot()->dof()) problem.with_axes = false;
   for (const std::string& name : options.through_frames) {
     const auto pose = framePose("--through-frame", name, problem);
     HAPTICELL_TRY(pose);
@@ -188,7 +195,31 @@ void addTight(const std::vector<planning::TightPair>& tight, ordered_json& json)
   }
 }
 
-/// Times the plan and writes it, once the file as written keeps what was asked.
+std::string textOf(const trajectory::Trajectory& motion, const std::filesystem::path& file) {
+  return file.extension() == ".csv" ? toCsvText(motion) : toJsonText(motion);
+}
+
+/// "path-rail.htraj" for the axis "rail" beside "path.htraj"; what does not belong in a file's name becomes "_".
+std::filesystem::path fileOfAxis(const std::filesystem::path& output, std::string axis) {
+  for (char& letter : axis) {
+    if (std::string_view("/\\:*?\"<>|").find(letter) != std::string_view::npos || letter < ' ') letter = '_';
+  }
+  return output.parent_path() / (output.stem().string() + "-" + axis + output.extension().string());
+}
+
+/// Files of the axes' motions: the text of each.
+using AxisFiles = std::vector<std::pair<std::filesystem::path, std::string>>;
+
+Expected<std::vector<std::filesystem::path>> writeInto(const std::filesystem::path& folder, const AxisFiles& files) {
+  std::vector<std::filesystem::path> written;
+  for (const auto& [file, text] : files) {
+    written.push_back(folder / (std::to_string(written.size()) + file.extension().string()));
+    HAPTICELL_TRY(writeFileAtomically(written.back(), text));
+  }
+  return written;
+}
+
+/// Times the plan and writes it, once the files as written keep what was asked.
 Expected<ordered_json> writePlan(const planning::PlanResult& result, const planning::FreeSpace& space,
                                  const planning::Problem& problem, const PlanOptions& options) {
   const planning::Plan& plan = *result.plan;
@@ -198,19 +229,35 @@ Expected<ordered_json> writePlan(const planning::PlanResult& result, const plann
   for (const double rounding : kRoundings) {
     const auto motion = planning::timedMotion(plan, space, {.sample_s = 0.01, .rounding = rounding});
     HAPTICELL_TRY(motion);
-    const bool is_csv = std::filesystem::path(options.output).extension() == ".csv";
-    const std::string content = is_csv ? toCsvText(*motion) : toJsonText(*motion);
+    auto motions = planning::motionsOfEntities(*motion, space);
+    AxisFiles axes;
+    for (std::size_t k = 1; k < motions.size(); ++k) {
+      motions.front().take = motions[k].take = "plan, seed " + std::to_string(options.seed);
+      const auto file = fileOfAxis(options.output, motions[k].entity);
+      axes.emplace_back(file, textOf(motions[k], file));
+    }
+    const auto folder = ScratchFolder::make();
+    HAPTICELL_TRY(folder);
+    const auto trials = writeInto(folder->path(), axes);
+    HAPTICELL_TRY(trials);
     double clearance = 0.0;
     std::vector<planning::TightPair> tight;
     const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
-      auto check = planning::checkWrittenPlan(file, plan, options.clearance, problem.scene, problem.entity);
+      auto check =
+          planning::checkWrittenPlan({file, *trials}, plan, options.clearance, problem.scene, problem.entity);
       HAPTICELL_TRY(check);
       clearance = check->promises.list.front().measured;
       tight = std::move(check->tight);
       return std::move(check->promises);
     };
-    written = writeKept(options.output, content, ".htraj", false, measure, json);
+    written = writeKept(options.output, textOf(motions.front(), options.output), ".htraj", false, measure, json);
     if (!written) continue;
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      HAPTICELL_TRY(writeFileAtomically(axes[k].first, axes[k].second));
+      json["axes"].push_back({{"entity", motions[k + 1].entity},
+                              {"joints", motions[k + 1].joint_names},
+                              {"output", axes[k].first.string()}});
+    }
     json["clearance_min_m"] = clearance;
     addTight(tight, json);
     json["checks"] = result.checks;
@@ -231,7 +278,8 @@ ExitStatus run(const PlanOptions& options, const ResultWriter& writer) {
   };
   const auto problem = problemOf(options);
   if (!problem) return fails(problem.error());
-  const auto space = planning::FreeSpace::create(problem->scene, problem->entity, {}, {}, problem->hand);
+  const auto space = planning::FreeSpace::create(problem->scene, problem->entity, {}, {}, problem->hand,
+                                                 problem->with_axes);
   if (!space) return fails(space.error());
   const auto result = planning::plan(*problem, *space);
   if (!result) return fails(result.error());
@@ -257,7 +305,9 @@ void addPlanCommand(Subcommand app, Action& chosen) {
   command.option("--to", options->to,
                  "Goal: x,y,z,qw,qx,qy,qz of the tool centre point, of a solid's frame, or of the grip of the hand");
   command.option("--to-frame", options->to_frame, "Goal: this frame of the cell or of an entity, by its name");
-  command.option("--to-joints", options->to_joints, "Goal: joints of a robot, q1,q2,… (rad, m)");
+  command.option("--to-joints", options->to_joints,
+                 "Goal: joints of a robot, q1,q2,… (rad, m); those of its external axes first, or left out if they stay");
+  command.flag("--keep-axes", options->keep_axes, "External axes that carry the robot (a rail, a table) stay");
   command.flag("--out", options->out, "Goal: the solid out of the box around everything else");
   command.option("--through", options->through, "Poses that the motion passes, in this order").takes(ValueKind::kTable);
   command.option("--through-frame", options->through_frames,

@@ -70,6 +70,11 @@ Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsToge
   for (const std::string& file : options.together) {
     auto motion = readMotionFile(file);
     HAPTICELL_TRY(motion);
+    if (motion->entity.empty())
+      return makeError({.file = file,
+                        .place = "--together",
+                        .found = "a motion that does not name what moves",
+                        .expected = "a motion that names its entity (.htraj)"});
     motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
   }
   if (trajectory.take.empty()) return motions;

@@ -93,7 +93,8 @@ std::vector<CheckedPair> pairsOf(const HeldModel& model, const HeldPairs& held) 
 }  // namespace
 
 Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
-                                        const config::Configuration& configuration, RestContacts at_rest) {
+                                        const config::Configuration& configuration, RestContacts at_rest,
+                                        bool with_axes) {
   const workcell::Entity* entity = scene->find(id);
   if (entity == nullptr)
     return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
@@ -104,7 +105,7 @@ Expected<JointCheck> JointCheck::create(std::shared_ptr<const PreparedScene> sce
   std::vector<Text> notes;
   workcell::Entity free = *entity;
   free.locked = false;
-  auto plan = std::make_shared<Plan>(HeldModel(std::move(scene), free, {}, false, notes));
+  auto plan = std::make_shared<Plan>(HeldModel(std::move(scene), free, {}, with_axes, notes));
   const auto manipulator = manipulatorOf(plan->model, configuration);
   HAPTICELL_TRY(manipulator);
   const HeldPairs held(plan->model, **manipulator, {}, {MovedBy(), entity->contact.on_contact, entity->contact.force_class},

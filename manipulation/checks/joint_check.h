@@ -44,11 +44,12 @@ struct PlacedPair {
 /// asked before.
 class JointCheck {
  public:
-  /// Everything else stays at its place in the scene; external axes of the robot too. Errors: no such entity, not a
-  /// robot or mechanism. A locked one may be checked.
+  /// Everything else stays at its place in the scene; external axes of the robot too, unless `with_axes`: then joints
+  /// are those of HeldModel, the axes' first. Errors: no such entity, not a robot or mechanism. A locked one may be
+  /// checked.
   static Expected<JointCheck> create(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                      const config::Configuration& configuration,
-                                     RestContacts at_rest = RestContacts::kCount);
+                                     RestContacts at_rest = RestContacts::kCount, bool with_axes = false);
   /// The same checks without any answers known.
   JointCheck fresh() const;
 

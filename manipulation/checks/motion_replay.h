@@ -32,6 +32,9 @@ class MotionReplay {
                                        const std::vector<double>& start = {});
 
   workcell::EntityId entity() const { return entity_->id; }
+  /// True if the motion places the entity as a whole; otherwise its joints move and it stays where it stands, or rides
+  /// on what carries it.
+  bool movesRoot() const { return moves_root_; }
   const trajectory::Trajectory& motion() const { return *trajectory_; }
   /// The entity's configuration at `t` (s of the trajectory, clamped to its ends).
   EntityConfiguration at(double t) const;

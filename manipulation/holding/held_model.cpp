@@ -74,6 +74,9 @@ void HeldModel::mountOnAxes(const Placements& placements, std::vector<Text>& not
     taken_.X_WE = base.X_WE;
     taken_.joints.insert(taken_.joints.begin(), base.joints.begin(), base.joints.end());
   }
+  if (members_.size() == 1) return;
+  form_.X_WE = taken_.X_WE;
+  form_.setJoints(taken_.joints);
 }
 
 void HeldModel::gatherCarried(const Placements& placements) {

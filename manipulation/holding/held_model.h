@@ -44,7 +44,7 @@ class HeldModel {
 
   const std::shared_ptr<const PreparedScene>& scene() const { return scene_; }
   workcell::EntityId id() const { return id_; }
-  /// The entity to move; with external axes, all of them in one model.
+  /// The entity to move; with external axes, all of them in one model, with its root and joints as it was taken.
   const workcell::Entity& form() const { return form_; }
   /// The configuration when it was taken.
   const EntityConfiguration& taken() const { return taken_; }

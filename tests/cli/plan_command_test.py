@@ -85,6 +85,66 @@ def test_a_hand_of_a_mannequin_reaches_over_a_bench(folder):
     assert not (folder / "no.htraj").exists()
 
 
+RAIL = """<robot name="rail">
+<link name="bed"><collision><geometry><box size="4.4 0.3 0.1"/></geometry></collision></link>
+<link name="carriage"><collision><geometry><box size="0.3 0.3 0.2"/></geometry></collision></link>
+<joint name="drive" type="prismatic"><parent link="bed"/><child link="carriage"/><origin xyz="0 0 0.16"/>
+<axis xyz="1 0 0"/><limit lower="-2" upper="2" velocity="0.8" effort="1000"/></joint></robot>
+"""
+
+
+def rail_cell(folder):
+    """A robot on a rail of 4 m, at its one end, and a post on the straight way of its arm."""
+    (folder / "rail.urdf").write_text(RAIL)
+    run("workcell", "new", "rail.hcell", "--add", "rail.urdf,name=rail,pose=0,0,0.05,1,0,0,0", "--add",
+        "library:ur5e,name=robot,pose=-1.5,0,0.31,1,0,0,0", "--add", "box:0.3,0.9,2.4,name=post,pose=0,0.7,1.2,1,0,0,0",
+        folder=folder)
+    cell = json.loads((folder / "rail.hcell").read_text())
+    rail, robot = cell["entities"][:2]
+    rail["joints"] = {"drive": -1.5}
+    robot["joints"] = dict(zip(NAMES, [-1.57, -1.2, 1.2, -1.57, -1.57, 0.0]))
+    robot["attached"] = {"to": "rail", "link": "carriage", "placement": {"position": [0, 0, 0.1], "quaternion": [1, 0, 0, 0]}}
+    (folder / "rail.hcell").write_text(json.dumps(cell))
+
+
+def test_a_robot_moves_with_its_rail(folder):
+    rail_cell(folder)
+    base = ("--workcell", "rail.hcell", "--entity", "robot", "--to", "1.5,0.5,0.6,0,1,0,0")
+    answer = plan(*base, "-o", "path.htraj", folder=folder)
+    assert answer["solved"] and answer["clearance_min_m"] >= 0.005 - 1e-6, answer
+    assert answer["measured"]["axis_speed"] <= 1 + 1e-6 and answer["measured"]["pose"] <= 1e-3, answer
+    (axis,) = answer["axes"]
+    assert axis == {"entity": "rail", "joints": ["drive"], "output": "path-rail.htraj"}, axis
+    robot, rail = (json.loads((folder / name).read_text()) for name in ("path.htraj", "path-rail.htraj"))
+    assert robot["joints"] == NAMES and rail["joints"] == ["drive"] and robot["take"] == rail["take"] != "", robot["take"]
+    assert [row[0] for row in robot["frames"]] == [row[0] for row in rail["frames"]]
+    # The check of motions, which knows nothing of plans; the arm alone would meet nothing, but miss its poses.
+    check = json.loads(run("trajectory", "check", "path.htraj", "--workcell", "rail.hcell", "--together", "path-rail.htraj",
+                           "--fail-on-contact", "--fail-on-limit", folder=folder).stdout)
+    assert check["free"] and check["within_limits"], check
+    # The rail stays: out of reach, or joints of the robot alone.
+    answer = plan(*base, "--keep-axes", "-o", "no.htraj", folder=folder, expect=1)
+    assert answer["constraint"] == "reach" and not (folder / "no.htraj").exists(), answer
+    joints = plan("--workcell", "rail.hcell", "--entity", "robot", "--to-joints=-1.2,-1.2,1.2,-1.57,-1.57,0", "-o",
+                  "own.htraj", folder=folder)
+    assert joints["solved"] and "axes" not in joints, joints
+    joints = plan("--workcell", "rail.hcell", "--entity", "robot", "--to-joints=1.5,-1.57,-1.2,1.2,-1.57,-1.57,0", "-o",
+                  "all.csv", folder=folder)
+    assert joints["solved"] and (folder / "all-rail.csv").exists() and joints["planner"] != "straight", joints
+    said = run("trajectory", "check", "path.htraj", "--workcell", "rail.hcell", "--together", "all-rail.csv",
+               folder=folder, expect=2).stderr
+    assert "does not name what moves" in said, said
+    said = run("plan", "--workcell", "rail.hcell", "--entity", "robot", "--to-joints=1,2,3", "-o", "no.htraj",
+               folder=folder, expect=2).stderr
+    assert "7 joint positions" in said and "6 of its own" in said, said
+
+
+def test_joints_of_a_mannequin_are_no_goal(folder):
+    said = run("plan", "--workcell", CELLS / "workbench.hcell", "--entity", "operator", "--hand", "right", "--to-joints",
+               "0,1,2", "-o", "no.htraj", folder=folder, expect=2).stderr
+    assert "posture" in said and "hand" in said and not (folder / "no.htraj").exists(), said
+
+
 def test_equal_seeds_give_equal_files(folder):
     robot_cell(folder)
     one = to_goal(folder, "one.htraj", "--seed", "4", "--jobs", "1")

@@ -200,5 +200,28 @@ TEST(OwnPairMotion, TouchesWhereTheChordIsTwoRadii) {
   EXPECT_NEAR(spheresApart(query, X_WA, X_WB), 2.0 * TurningBall::kArm * std::sin(0.5) - 2.0 * TurningBall::kRadius, 1e-4);
 }
 
+/// Ends that were found free are not asked again; a larger clearance, or pairs that are heeded again, ask anew.
+TEST(FreeSpace, WhatIsKnownToBeFreeIsForgottenWithTheClearance) {
+  const auto scene = test::boxWithBar(0.3);
+  auto space = FreeSpace::create(scene, 1, {});
+  ASSERT_TRUE(space);
+  EntityConfiguration at = space->present(), up = at;
+  up.X_WE.p.z += 0.05;
+  space->setClearance(0.02);
+  EXPECT_TRUE(space->isFree(at));
+  EXPECT_TRUE(space->isFree(at, up));
+  EXPECT_TRUE(space->isFree(up));
+  space->setClearance(0.06);  // The bar's ends are 0.05 m from the plates.
+  EXPECT_FALSE(space->isFree(at));
+  EXPECT_FALSE(space->isFree(up));
+  EXPECT_FALSE(space->isFree(at, up));
+  const auto near = space->gapsAt(up, 0.06);
+  ASSERT_FALSE(near.empty());
+  space->setChecked(near, false);
+  EXPECT_TRUE(space->isFree(up));
+  space->setChecked(near, true);
+  EXPECT_FALSE(space->isFree(up));
+}
+
 }  // namespace
 }  // namespace hapticell::planning

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "planning/axis_places.h"
 #include "planning/problem.h"
 #include "tests/planning/planning_cells.h"
 
@@ -232,6 +233,95 @@ TEST(Plan, RefusesNumbersThatDoNotFit) {
   EXPECT_FALSE(plan(problem));
   problem.clearance = -1.0;
   EXPECT_FALSE(plan(problem));
+}
+
+Problem railProblem(const test::RailCell& cell) {
+  Problem problem;
+  problem.scene = cell.scene;
+  problem.entity = cell.robot;
+  problem.with_axes = true;
+  problem.goal = goal::ToPose{test::farAlongTheRail()};
+  return problem;
+}
+
+TEST(Plan, RobotsMoveWithTheRailThatCarriesThem) {
+  const test::RailCell cell = test::railCell();
+  Problem problem = railProblem(cell);
+  const auto result = plan(problem);
+  ASSERT_TRUE(result) << result.error().message();
+  ASSERT_TRUE(result->isSolved()) << english(result->failure->reason);
+  const std::vector<double>& end = result->plan->waypoints.back().joints;
+  ASSERT_EQ(end.size(), 7U) << "the rail's joint and the robot's own";
+  EXPECT_GE(end[0], -2.0);
+  EXPECT_LE(end[0], 2.0);
+  // The robot's own kinematics, on its base where the rail puts it.
+  const workcell::Entity& robot = *cell.scene->find(cell.robot);
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*robot.robot(), {end.begin() + 1, end.end()}, X_BL);
+  const Pose X_WB = Pose::translation({end[0], 0.0, 0.31});
+  const int tip = robot.robot()->findLink(robot.jointed().tip_link);
+  const Pose X_WT = X_WB * X_BL[static_cast<std::size_t>(tip)] * robot.jointed().X_LT;
+  EXPECT_LT(glm::length(X_WT.p - test::farAlongTheRail().p), 1e-6);
+  EXPECT_GT(std::abs(glm::dot(X_WT.q, test::farAlongTheRail().q)), 1.0 - 1e-9);
+  auto space = FreeSpace::create(cell.scene, cell.robot, {}, {}, {}, true);
+  ASSERT_TRUE(space);
+  space->setClearance(problem.clearance);
+  for (std::size_t i = 1; i < result->plan->waypoints.size(); ++i) {
+    EXPECT_TRUE(space->isFree(result->plan->waypoints[i - 1], result->plan->waypoints[i])) << i;
+  }
+  // On a rail that stays, it does not reach so far.
+  problem.with_axes = false;
+  const auto alone = plan(problem);
+  ASSERT_TRUE(alone && alone->failure);
+  EXPECT_EQ(alone->failure->kind, Failure::Kind::kReach);
+}
+
+/// One axis is passed in even steps no longer than a fraction of an arm, its ends too; two follow from the seed.
+TEST(AxisPlaces, CoverTheWholeTravel) {
+  const test::RailCell cell = test::railCell();
+  const auto space = FreeSpace::create(cell.scene, cell.robot, {}, {}, {}, true);
+  ASSERT_TRUE(space);
+  const kinematics::RobotModel& robot = *space->entity().robot();
+  const auto places = axisPlaces(robot, 1, space->present().joints, 1);
+  EXPECT_EQ(places.front(), std::vector<double>{-1.5}) << "where it stands now";
+  EXPECT_NEAR(places[1][0], -2.0, 1e-12);
+  EXPECT_NEAR(places.back()[0], 2.0, 1e-12);
+  for (std::size_t i = 2; i < places.size(); ++i) EXPECT_LE(places[i][0] - places[i - 1][0], 0.1 + 1e-12);
+  const auto of_two = axisPlaces(robot, 2, space->present().joints, 7);
+  EXPECT_EQ(of_two, axisPlaces(robot, 2, space->present().joints, 7));
+  EXPECT_NE(of_two, axisPlaces(robot, 2, space->present().joints, 8));
+  for (const auto& place : of_two) EXPECT_TRUE(place.size() == 2 && place[0] >= -2.0 && place[0] <= 2.0);
+}
+
+TEST(Plan, GoalsWithAxesAreExplained) {
+  const test::RailCell cell = test::railCell();
+  Problem problem = railProblem(cell);
+  problem.goal = goal::ToPose{Pose::translation({4.5, 0.0, 0.6})};
+  const auto far = plan(problem);
+  ASSERT_TRUE(far && far->failure);
+  EXPECT_EQ(far->failure->kind, Failure::Kind::kReach);
+  EXPECT_NE(english(far->failure->reason).find("wherever its external axes are"), std::string::npos);
+  ASSERT_TRUE(far->failure->nearest);
+  EXPECT_NEAR(far->failure->nearest->joints[0], 2.0, 1e-9) << "the end of the rail is nearest";
+  problem.goal = goal::ToPose{{{0.0, 0.5, 0.6}, dquat(0.0, 1.0, 0.0, 0.0)}};
+  const auto blocked = plan(problem);
+  ASSERT_TRUE(blocked && blocked->failure);
+  EXPECT_EQ(blocked->failure->blocked_by, "post");
+  EXPECT_TRUE(blocked->failure->nearest);
+  problem.goal = goal::ToJoints{{0.0, 0.0}};
+  const auto refused = plan(problem);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("7 joint positions, those of the external axes first, or 6 of its own"),
+            std::string::npos)
+      << refused.error().message();
+  std::vector<double> joints{2.5};
+  const std::vector<double>& own = cell.scene->find(cell.robot)->joints();
+  joints.insert(joints.end(), own.begin(), own.end());
+  problem.goal = goal::ToJoints{joints};
+  const auto limit = plan(problem);
+  ASSERT_TRUE(limit && limit->failure);
+  EXPECT_EQ(limit->failure->kind, Failure::Kind::kLimit);
+  EXPECT_NE(english(limit->failure->reason).find("drive"), std::string::npos);
 }
 
 }  // namespace

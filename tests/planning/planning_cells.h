@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "manipulation/scene/prepared_scene.h"
+#include "workcell/document/document.h"
 #include "workcell/import/entity_source.h"
 
 namespace hapticell::planning::test {
@@ -41,6 +44,46 @@ inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gr
     entities.push_back(std::move(gripper));
   }
   return manipulation::PreparedScene::prepare(std::move(entities), {}, {});
+}
+
+/// A robot on the plate of a rail of 4 m along x, at its one end, and a post as high as the arm beside the way. The rail's bed and plate
+/// are boxes; its joint "drive" may move at 0.8 m/s.
+struct RailCell {
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+  workcell::EntityId rail = 0, robot = 0;
+};
+
+inline RailCell railCell() {
+  workcell::Document document;
+  const auto add = [&](workcell::Entity entity) { return document.execute(workcell::AddEntity{std::move(entity)}).value(); };
+  const auto bed = add(loaded("box:4.4,0.3,0.1", 0, "bed", Pose::translation({0.0, 0.0, 0.05})));
+  const auto plate = add(loaded("box:0.3,0.3,0.2", 0, "plate", Pose::translation({0.0, 0.0, 0.21})));
+  workcell::MechanismJoint joint;
+  joint.name = "drive";
+  joint.type = workcell::MechanismJointType::kPrismatic;
+  joint.parent = "bed";
+  joint.child = "plate";
+  joint.axis_M = dvec3(1.0, 0.0, 0.0);
+  joint.lower = -2.0;
+  joint.upper = 2.0;
+  joint.velocity = 0.8;
+  RailCell cell;
+  cell.rail = document.execute(workcell::MakeMechanism{"rail", {bed, plate}, {joint}}).value();
+  cell.robot = add(loaded("library:ur5e", 0, "robot", Pose::translation({0.0, 0.0, 0.31})));
+  EXPECT_TRUE(document.execute(workcell::Attach{cell.robot, cell.rail, "plate"}));
+  const auto place = [&](workcell::EntityId id, const std::vector<double>& joints) {
+    EXPECT_TRUE(document.execute(workcell::SetConfiguration{id, document.find(id)->X_WE, joints}));
+  };
+  place(cell.robot, {-1.57, -1.2, 1.2, -1.57, -1.57, 0.0});
+  place(cell.rail, {-1.5});
+  add(loaded("box:0.3,0.9,2.4", 0, "post", Pose::translation({0.0, 0.7, 1.2})));
+  cell.scene = manipulation::PreparedScene::prepare(document.snapshotEntities(), {}, {});
+  return cell;
+}
+
+/// The tool down beside the far end of the rail.
+inline Pose farAlongTheRail() {
+  return {{1.5, 0.5, 0.6}, dquat(0.0, 1.0, 0.0, 0.0)};
 }
 
 /// A bar (1) 0.2 m long that lies in a box of five plates, open above or with a lid (7); the opening is `width` (m)

@@ -103,7 +103,7 @@ TEST(StandingFigure, BringsTheGripExactlyToAPoseOnItsFeet) {
 }
 
 TEST(SpacePlan, LeavesOutOnlyWhatStands) {
-  const auto made = SpacePlan::create(workerCell(), 1, {}, {}, Side::kLeft);
+  const auto made = SpacePlan::create(workerCell(), 1, {}, {}, {.hand = Side::kLeft});
   ASSERT_TRUE(made) << made.error().message();
   const SpacePlan& plan = **made;
   std::size_t calves = 0;

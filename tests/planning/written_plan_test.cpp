@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "geometry/system/scratch_folder.h"
+#include "planning/axis_motions.h"
 #include "planning/timed_plan.h"
 #include "planning/written_poses.h"
 #include "tests/planning/planning_cells.h"
@@ -97,6 +100,69 @@ double valueOf(const Promises& promises, const std::string& name) {
     if (one.name == name) return one.measured;
   ADD_FAILURE() << name;
   return -1.0;
+}
+
+/// The motions of a robot and of its rail as files; the rail's may be changed before it is written.
+Expected<Promises> measuredOnRail(const std::function<double(double)>& change, const test::RailCell& cell,
+                                  std::vector<trajectory::Trajectory>* written = nullptr) {
+  Problem problem;
+  problem.scene = cell.scene;
+  problem.entity = cell.robot;
+  problem.with_axes = true;
+  problem.goal = goal::ToPose{test::farAlongTheRail()};
+  const auto space = FreeSpace::create(cell.scene, cell.robot, {}, {}, {}, true);
+  HAPTICELL_TRY(space);
+  const auto result = plan(problem, *space);
+  HAPTICELL_TRY(result);
+  if (!result->isSolved()) return makeError({.found = result->failure->reason, .expected = "a plan"});
+  const auto motion = timedMotion(*result->plan, *space);
+  HAPTICELL_TRY(motion);
+  std::vector<trajectory::Trajectory> motions = motionsOfEntities(*motion, *space);
+  trajectory::Trajectory changed = motions[1].emptyCopy();
+  for (std::size_t i = 0; i < motions[1].size(); ++i) {
+    const double q = change(motions[1].joints(i)[0]);
+    changed.addFrame(motions[1][i], std::span(&q, 1));
+  }
+  motions[1] = std::move(changed);
+  const auto folder = ScratchFolder::make();
+  const auto own = folder->path() / "robot.htraj", rail = folder->path() / "rail.htraj";
+  EXPECT_TRUE(workcell::writeFileAtomically(own, trajectory::toJsonText(motions[0])));
+  EXPECT_TRUE(workcell::writeFileAtomically(rail, trajectory::toJsonText(motions[1])));
+  if (written != nullptr) *written = motions;
+  return writtenPlanPromises({own, {rail}}, *result->plan, problem.clearance, cell.scene, cell.robot);
+}
+
+TEST(WrittenPlan, KeepsItsPromisesOnARail) {
+  const test::RailCell cell = test::railCell();
+  std::vector<trajectory::Trajectory> motions;
+  const auto promises = measuredOnRail([](double q) { return q; }, cell, &motions);
+  ASSERT_TRUE(promises) << promises.error().message();
+  EXPECT_TRUE(promises->areKept()) << promises->missed("plan").message();
+  EXPECT_GE(promises->list.front().measured, 0.005 - 1e-6);
+  EXPECT_LE(valueOf(*promises, "axis_speed"), 1.0 + 1e-6);
+  EXPECT_GT(valueOf(*promises, "axis_speed"), 0.1) << "the rail moves";
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[0].entity, "robot");
+  EXPECT_EQ(motions[0].joint_names.size(), 6U);
+  EXPECT_EQ(motions[1].entity, "rail");
+  EXPECT_EQ(motions[1].joint_names, std::vector<std::string>{"drive"});
+  EXPECT_EQ(motions[1].moved, "frame:plate");
+  for (std::size_t i = 0; i < motions[1].size(); ++i) {
+    EXPECT_EQ(motions[0][i].t, motions[1][i].t);
+    EXPECT_NEAR(motions[1][i].X_WT.p.x, motions[1].joints(i)[0], 1e-12) << "the plate's pose";
+  }
+}
+
+TEST(WrittenPlan, ARailThatMovesOtherwiseIsFound) {
+  const test::RailCell cell = test::railCell();
+  const auto shifted = measuredOnRail([](double q) { return q + 0.1; }, cell);
+  ASSERT_TRUE(shifted) << shifted.error().message();
+  EXPECT_NEAR(valueOf(*shifted, "start"), 0.1, 1e-9);
+  EXPECT_NEAR(valueOf(*shifted, "pose"), 0.1, 1e-3);
+  const auto fast = measuredOnRail([](double q) { return -1.5 + 2.0 * (q + 1.5); }, cell);
+  ASSERT_TRUE(fast) << fast.error().message();
+  EXPECT_FALSE(fast->areKept());
+  EXPECT_GT(valueOf(*fast, "limits") + valueOf(*fast, "axis_speed") + valueOf(*fast, "goal"), 0.5);
 }
 
 /// A straight way of a metre that is passed at its middle, and turned by 0.02 rad against that pose.

@@ -43,6 +43,17 @@ void addTouches(const Motion& motion, std::vector<double>& times) {
       times.push_back(0.5 * (finding.t_in + finding.t_out));
 }
 
+/// How many entities carry it, one on the other.
+std::size_t carriersOf(const workcell::DocumentState& state, workcell::EntityId id) {
+  const workcell::Entity* at = state.find(id);
+  std::size_t count = 0;
+  while (at != nullptr && !at->attachment.to.empty() && count < state.entities.size()) {
+    at = state.findByName(at->attachment.to);
+    ++count;
+  }
+  return count;
+}
+
 /// Turning in place needs room too.
 double wayBetween(const Pose& a, const Pose& b) {
   // m a rad, as metres_per_radian of trajectory/timing/retiming.h. Half: fewer ghosts where a part only turns; twice:
@@ -192,19 +203,29 @@ void MotionPlayer::tick() {
 
 std::vector<GhostPose> MotionPlayer::playedAt(double time) const {
   const auto& state = host_.documentModel().document().state();
-  std::vector<GhostPose> played, carried;
+  std::vector<const Motion*> motions;
   for (const Motion& motion : list_.motions()) {
-    if (!motion.played || !motion.replay) continue;
-    const auto at = motion.replay->at(time);
-    const auto ghosts = entityGhosts(state, motion.replay->entity(), at.X_WE, at.joints);
+    if (motion.played && motion.replay) motions.push_back(&motion);
+  }
+  // What carries another comes first: a robot rides on its rail while both play.
+  std::stable_sort(motions.begin(), motions.end(), [&](const Motion* a, const Motion* b) {
+    return carriersOf(state, a->replay->entity()) < carriersOf(state, b->replay->entity());
+  });
+  std::vector<GhostPose> played, carried;
+  for (const Motion* motion : motions) {
+    auto at = motion->replay->at(time);
+    const auto ride = std::find_if(carried.rbegin(), carried.rend(),
+                                   [&](const GhostPose& pose) { return pose.entity == motion->replay->entity(); });
+    if (ride != carried.rend() && !motion->replay->movesRoot()) at.X_WE = ride->X_WE;
+    const auto ghosts = entityGhosts(state, motion->replay->entity(), at.X_WE, at.joints);
     if (ghosts.empty()) continue;
     played.push_back(ghosts.front());
     carried.insert(carried.end(), ghosts.begin() + 1, ghosts.end());
   }
-  // What has a motion of its own is not carried.
-  for (const GhostPose& pose : carried) {
-    const auto same = [&](const GhostPose& other) { return other.entity == pose.entity; };
-    if (std::none_of(played.begin(), played.end(), same)) played.push_back(pose);
+  // What has a motion of its own is not carried; what several carry goes with the last, which rides on the others.
+  for (auto pose = carried.rbegin(); pose != carried.rend(); ++pose) {
+    const auto same = [&](const GhostPose& other) { return other.entity == pose->entity; };
+    if (std::none_of(played.begin(), played.end(), same)) played.push_back(*pose);
   }
   return played;
 }

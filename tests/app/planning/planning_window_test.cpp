@@ -85,6 +85,58 @@ workcell::Entity loaded(const std::string& what, const std::string& name, const 
   return entity;
 }
 
+/// A robot on a rail: both move, both motions are played together, one undo step takes both away.
+TEST(PlanDock, ARobotMovesWithItsRail) {
+  PlanPage page;
+  page.openDock();
+  const auto bed = page.add(loaded("box:6,0.4,0.1", "bed", Pose::translation({0.0, 0.0, 0.05})));
+  const auto plate = page.add(loaded("box:0.8,0.8,0.2", "plate", Pose::translation({0.0, 0.0, 0.21})));
+  workcell::MechanismJoint joint;
+  joint.name = "drive";
+  joint.type = workcell::MechanismJointType::kPrismatic;
+  joint.parent = "bed";
+  joint.child = "plate";
+  joint.axis_M = dvec3(1.0, 0.0, 0.0);
+  joint.lower = -2.5;
+  joint.upper = 2.5;
+  joint.velocity = 1.0;
+  ASSERT_TRUE(page.document().execute(workcell::MakeMechanism{"rail", {bed, plate}, {joint}}));
+  const auto rail = page.document().document().findByName("rail")->id;
+  const auto robot = page.addRobot("kuka_kr16_2");
+  ASSERT_NE(robot, 0u);
+  const auto joints = page.document().document().find(robot)->joints();
+  ASSERT_TRUE(page.document().execute(workcell::SetConfiguration{robot, Pose::translation({0.0, 0.0, 0.311}), joints}));
+  const auto* axes = page.find<QAbstractButton>("switchPlanAxes");
+  ASSERT_NE(axes, nullptr);
+  EXPECT_FALSE(axes->isVisible()) << "it stands on nothing that moves";
+  ASSERT_TRUE(page.document().execute(workcell::Attach{robot, rail, "plate"}));
+  page.settle();
+  ASSERT_TRUE(axes->isVisible());
+  EXPECT_TRUE(axes->text().contains("rail")) << axes->text().toStdString();
+  page.type("fieldPlanX", QString::number(page.number("fieldPlanX") + 2000.0));
+  page.click("switchPlanAxes");
+  EXPECT_TRUE(page.planned().contains("reach"));
+  EXPECT_EQ(page.motions(), 0u);
+  page.click("switchPlanAxes");
+  const QString says = page.planned();
+  ASSERT_EQ(page.motions(), 2u) << says.toStdString();
+  const auto& motions = page.document().document().state().trajectories;
+  const auto& of_rail = *motions[0].motion;
+  const auto& of_robot = *motions[1].motion;
+  EXPECT_EQ(of_rail.entity, "rail");
+  EXPECT_EQ(of_robot.entity, page.document().document().find(robot)->name);
+  EXPECT_EQ(of_rail.take, of_robot.take);
+  EXPECT_GT(std::abs(of_rail.joints(of_rail.size() - 1)[0]), 0.3) << "the rail moves";
+  // Joints: the rail's first, in its unit.
+  page.chooseGoal("Joints");
+  page.click("buttonPlanTake");
+  EXPECT_EQ(page.find<QLineEdit>("editPlanJoints")->text().split(';').size(), 7);
+  page.click("switchPlanAxes");
+  EXPECT_EQ(page.find<QLineEdit>("editPlanJoints")->text().split(';').size(), 6);
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.motions(), 0u);
+}
+
 TEST(PlanDock, AMannequinIsAskedWhichHandMoves) {
   PlanPage page;
   page.openDock();
@@ -122,6 +174,7 @@ TEST(PlanDock, PathsPassTheFramesOfTheListInItsOrder) {
   const auto* list = page.find<QListWidget>("listPlanThrough");
   ASSERT_NE(list, nullptr);
   EXPECT_FALSE(page.find<QAbstractButton>("buttonPlanThroughAdd")->isEnabled()) << "the cell has no frames";
+  EXPECT_TRUE(page.words("labelPlanThroughEmpty").contains("no frames"));
   ASSERT_NE(page.add(loaded("frame:", "near", Pose::translation({0.0, 0.0, 1.5}))), 0u);
   ASSERT_NE(page.add(loaded("frame:", "far", Pose::translation({1.0, 0.0, 1.5}))), 0u);
   workcell::Entity box;
@@ -129,11 +182,13 @@ TEST(PlanDock, PathsPassTheFramesOfTheListInItsOrder) {
   box.body = workcell::Solid{std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({0.1, 0.1, 0.1}))};
   box.X_WE.p = {0.0, 0.0, 0.5};
   ASSERT_NE(page.add(std::move(box)), 0u);
+  EXPECT_TRUE(page.words("labelPlanThroughEmpty").contains("by any way"));
   for (const char* frame : {"far", "near", "far"}) {
     page.choose("choicePlanThrough", frame);
     page.click("buttonPlanThroughAdd");
   }
   ASSERT_EQ(list->count(), 3);
+  EXPECT_FALSE(page.find<QWidget>("labelPlanThroughEmpty")->isVisible());
   EXPECT_FALSE(page.find<QAbstractButton>("buttonPlanThroughDown")->isEnabled()) << "the last row is chosen";
   page.click("buttonPlanThroughRemove");
   page.click("buttonPlanThroughUp");

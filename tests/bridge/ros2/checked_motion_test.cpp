@@ -94,6 +94,31 @@ TEST(CheckedMotion, SlowsToTheSpeedOfTheToolAndTheShareOfTheJoint) {
   EXPECT_EQ(checkedMotion(cell.wanted)->confirmation, slowed->confirmation);
 }
 
+/// The fastest place lies between two points: there, too, the tool keeps its speed. The slide is the tool.
+TEST(CheckedMotion, KeepsTheSpeedOfTheToolBetweenThePoints) {
+  for (const double seconds : {0.3, 0.45, 0.6, 0.61, 0.83}) {
+    const auto slowed = checkedMotion(SlideCell(0.37, seconds).wanted);
+    ASSERT_TRUE(slowed) << slowed.error().message();
+    const auto& points = slowed->message->message()->points;
+    const auto timeOf = [](const auto& point) { return point.time_from_start.sec + 1e-9 * point.time_from_start.nanosec; };
+    double fastest = 0.0;
+    for (std::uint32_t i = 0; i + 1 < points._length; ++i) {
+      const auto &from = points._buffer[i], &to = points._buffer[i + 1];
+      const double h = timeOf(to) - timeOf(from);
+      const double p0 = from.positions._buffer[0], p1 = to.positions._buffer[0];
+      const double v0 = from.velocities._buffer[0], v1 = to.velocities._buffer[0];
+      const double c = (3.0 * (p1 - p0) / h - 2.0 * v0 - v1) / h, d = (v0 + v1 - 2.0 * (p1 - p0) / h) / (h * h);
+      for (int n = 0; n <= 1000; ++n) {
+        const double t = h * n / 1000.0;
+        fastest = std::max(fastest, std::abs(v0 + 2.0 * c * t + 3.0 * d * t * t));
+      }
+    }
+    EXPECT_LE(fastest, 0.25 * (1.0 + 1e-12)) << seconds;
+    EXPECT_GT(fastest, 0.2499) << seconds;
+    EXPECT_LE(fastest, slowed->tool_speed * (1.0 + 1e-12)) << seconds;
+  }
+}
+
 TEST(CheckedMotion, RefusesWhatMeetsTheCellOrLeavesTheLimits) {
   const auto meets = checkedMotion(SlideCell(0.45, 2.0).wanted);
   ASSERT_FALSE(meets);
