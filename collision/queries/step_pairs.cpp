@@ -18,9 +18,6 @@ constexpr double kWidest = 0.01;
 /// By which the width shrinks when there were too many pairs, and grows with each search without a list, and after one
 /// of under a quarter. Half or twice: more failed tries, or fewer lists.
 constexpr double kAfterCrowded = 0.5, kWithTime = 1.01, kAfterRoomy = 1.3;
-/// Pairs while the search still narrows: more seldom end as a list, and collecting them takes longest of all. Half: no
-/// room for what narrows away; 1.6 times: p99 of small steps 6 to 8 % higher.
-constexpr std::size_t kMostOnTheWay = StepPairs::kMost + StepPairs::kMost / 4;
 
 }  // namespace
 
