@@ -36,14 +36,14 @@ double StepPairs::begin() {
     return 0.0;
   }
   pairs_.clear();
-  pairs_.reserve(2 * kMost);
+  pairs_.reserve(kMostOnTheWay);
   corners_.clear();
   corners_.reserve(kMost / kTreeWidth);
   return wanted;
 }
 
 bool StepPairs::add(const TriangleIndices& pair, float least) {
-  if (pairs_.size() == 2 * kMost) return false;
+  if (pairs_.size() == kMostOnTheWay) return false;
   pairs_.push_back({pair, least});
   return true;
 }

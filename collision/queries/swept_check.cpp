@@ -25,16 +25,10 @@ Corners placed(const dmat3& R, const dvec3& p, const Corners& c) {
   return {p + R * c[0], p + R * c[1], p + R * c[2]};
 }
 
-OrientedBox orientedBox(const TraversalBox& from) {
-  OrientedBox box;
-  for (int i = 0; i < 3; ++i) box.R[i] = dvec3(from.axis[i][0], from.axis[i][1], from.axis[i][2]);
-  for (int i = 0; i < 3; ++i) box.half[i] = from.half[i];
-  box.center = from.center;
-  return box;
-}
-
 /// All in A's frame at the beginning. A visitor of DualTraversal.
 struct SweptSearch {
+  const BoxTree& tree_a;
+  const BoxTree& tree_b;
   const geometry::TriangleMesh& mesh_a;
   const geometry::TriangleMesh& mesh_b;
   Pose X_B0, X_B1, X_A1;
@@ -87,8 +81,8 @@ struct SweptSearch {
   float limitSquared() const { return std::nextafter(static_cast<float>(within_squared), 1e30f); }
   bool isDone() const { return unproven; }
   bool passesOver(const TraversalBox& a, const TraversalBox& b) const {
-    const OrientedBox box_b = orientedBox(b);
-    return boxesStayApart(orientedBox(a), moved(R_B0, X_B0.p, box_b), box_b);
+    const OrientedBox box_b = tree_b.box(b.slot);
+    return boxesStayApart(tree_a.box(a.slot), moved(R_B0, X_B0.p, box_b), box_b);
   }
 
   void leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
@@ -111,8 +105,8 @@ bool staysApart(const MeshCollider& a, const MeshCollider& b, const SweptPair& m
   const Pose X_A0W = motion.X_WA0.inverse();
   const Pose X_B0 = X_A0W * motion.X_WB0, X_B1 = X_A0W * motion.X_WB1, X_A1 = X_A0W * motion.X_WA1;
   const double within = motion.reach + least;
-  SweptSearch search{a.mesh(),        b.mesh(),           X_B0, X_B1, X_A1, X_B0.R(), X_B1.R(), X_A1.R(),
-                     within * within, least + motion.bend};
+  SweptSearch search{a.tree(), b.tree(), a.mesh(),        b.mesh(),           X_B0, X_B1, X_A1, X_B0.R(),
+                     X_B1.R(), X_A1.R(), within * within, least + motion.bend};
   DualTraversal<SweptSearch>(a.tree(), b.tree(), X_B0, search).run();
   return !search.unproven;
 }

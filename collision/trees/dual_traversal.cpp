@@ -16,17 +16,10 @@ TraversalBox TraversalSide::box(BoxTree::Slot slot) const {
   TraversalBox box;
   box.slot = slot;
   box.child = node.child[lane];
-  float(&axis)[3][3] = box.axis;
   for (int i = 0; i < 3; ++i) {
-    axis[0][i] = node.u[i][lane];
-    axis[1][i] = node.v[i][lane];
     box.half[i] = node.half[i][lane];
     box.size += box.half[i] * box.half[i];
     box.center[i] = double{node.origin[i]} + double{node.center[i][lane]};
-  }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    axis[2][i] = axis[0][j] * axis[1][k] - axis[0][k] * axis[1][j];
   }
   return box;
 }
@@ -34,8 +27,19 @@ TraversalBox TraversalSide::box(BoxTree::Slot slot) const {
 void TraversalSide::see(TraversalBox& box) const {
   if (box.is_seen) return;
   box.is_seen = true;
+  const BoxNode& node = tree.node(box.slot / kTreeWidth);
+  const std::uint32_t lane = box.slot % kTreeWidth;
+  float axes[3][3];
+  for (int i = 0; i < 3; ++i) {
+    axes[0][i] = node.u[i][lane];
+    axes[1][i] = node.v[i][lane];
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    axes[2][i] = axes[0][j] * axes[1][k] - axes[0][k] * axes[1][j];
+  }
   for (int axis = 0; axis < 3; ++axis) {
-    const float* a = box.axis[axis];
+    const float* a = axes[axis];
     for (int i = 0; i < 3; ++i) {
       const float* row = R_rows + 3 * i;
       box.seen.axis[axis][i] = row[0] * a[0] + row[1] * a[1] + row[2] * a[2];

@@ -14,9 +14,8 @@ struct TraversalBox {
   BoxTree::Slot slot = BoxTree::kRoot;
   std::uint32_t child = 0;
   float size = 0.0f;  ///< Square of the half diagonal: the larger of two boxes is opened.
-  float axis[3][3];   ///< In its mesh's frame,
   float half[3];
-  dvec3 center{0.0};       ///< and in that.
+  dvec3 center{0.0};       ///< In its mesh's frame.
   bool is_seen = false;    ///< The following members are set:
   QueryBox seen;           ///< in the other mesh's frame, relative to the node it was last compared with,
   dvec3 seen_center{0.0};  ///< and in that frame.

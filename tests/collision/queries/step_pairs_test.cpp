@@ -53,7 +53,7 @@ TEST(StepPairs, AListOfTooManyIsNone) {
   EXPECT_LT(list.come({}), 0.0);
   list.come(Pose::translation({1e-4, 0, 0}));
   EXPECT_GT(list.begin(), 1e-4);
-  for (std::uint32_t i = 0; i < 2 * StepPairs::kMost; ++i) EXPECT_TRUE(list.add({i, i}, 0.1F));
+  for (std::uint32_t i = 0; i < StepPairs::kMostOnTheWay; ++i) EXPECT_TRUE(list.add({i, i}, 0.1F));
   EXPECT_FALSE(list.add({0, 1}, 0.1F));
   list.giveUp();
   EXPECT_LT(list.reachAt({}), 0.0);
