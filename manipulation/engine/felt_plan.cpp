@@ -43,10 +43,6 @@ constexpr double kMetresPerRadian = 0.1, kProgressReach = 0.03;
 /// contacts are left too fast.
 constexpr double kPressed = 5e-5;
 
-/// Share of the pull from which on the entity is carried, 0.1 s after a way came. Half: in fewer steps than are
-/// smooth; twice: robots at large scales leave their way before they are carried.
-constexpr double kCarries = 0.1;
-
 double shareOf(const FeltPlan::State& state) {
   return state.authority * state.share;
 }
@@ -96,6 +92,7 @@ void FeltPlan::forget() {
   outside_s_ = 0.0;
   ride_.restart();
   rides_ = false;
+  carried_ = 0.0;
 }
 
 void FeltPlan::look(const HeldEntity& held, const CellState& cell, double scale) {
@@ -205,6 +202,7 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
   const double scale = mapping.scale(), dt = std::min(cell.clock().stepTime(), 0.1);
   look(held, cell, scale);
   adopt(held.movedFrame());
+  carried_ = 0.0;
   if (!state_.way || state_.reached) {
     const bool led = std::exchange(leads_, false);
     state_.share = 0.0;
@@ -216,19 +214,24 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
   watchHand(rides_ ? ride_.handAt(mapping, X_DP) : held.movedFrame().p, scale, dt);
   if (!leads_) p_WT_ = held.movedFrame().p;
   leads_ = true;
-  p_WT_ += shortenedTo(wantedPoint(scale) - p_WT_, kLeadSpeed * scale * dt);
+  const dvec3 p_WWanted = wantedPoint(scale);
+  p_WT_ += shortenedTo(p_WWanted - p_WT_, kLeadSpeed * scale * dt);
   if (!rides_) {
     turn(held, hand, X_DP, dt);
   } else if (!state_.insists && state_.authority > 0.0) {
-    const double authority = state_.authority * std::min(1.0, state_.share / kCarries);
+    carried_ = state_.authority;
     const bool pressed = glm::distance(X_DS.p, X_DP.p) > kPressed;
-    ride_.step(held, hand, X_DP, *state_.way, progress_, {authority, dt, pressed, X_DS});
+    // A hand that stays behind by less holds against less than the full pull: less far where the way mostly turns.
+    const double lead = glm::distance(p_WWanted, progress_.expertAt(progress_.way()).p);
+    const double agrees = std::max(0.0, kPlanLead * scale - lead);
+    ride_.step(held, hand, X_DP, *state_.way, progress_, {carried_, dt, pressed, X_DS, agrees});
   }
   return true;
 }
 
 void FeltPlan::addTo(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping) const {
   if (!leads_ || shareOf(state_) <= 0.0) return;
+  easeContacts(built, held, carried_);
   makeRoom(built, 3);
   haptic::ConstraintSet& set = built.set;
   std::uint32_t group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;
