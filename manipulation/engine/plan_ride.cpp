@@ -102,14 +102,13 @@ bool isOff(const HeldEntity& held, const EntityConfiguration& wanted) {
   return glm::length(off.linear) > kOffSolid || glm::length(off.angular) > kOff;
 }
 
-/// m of the way on (or back) to where the hand is, at most `most`. A hand that is behind has agreed to go on as far as
-/// `agrees` m, more slowly in the second half.
+/// m of the way on (or back) to where the hand is, at most `most`; on by a share `agrees` of that wherever the hand is.
 double stepTo(const dvec3& p_WH, const trajectory::PathProgress& progress, double most, double agrees) {
   const double here = progress.way(), left = progress.length() - here;
   const dvec3 direction = directionOf(progress, here);
   if (direction == dvec3(0.0)) return std::min(left, most);
   const double along = glm::dot(p_WH - progress.expertAt(here).p, direction);
-  if (along < 0.0 && along > -agrees) return std::min(left, most * std::min(1.0, 2.0 * (1.0 + along / agrees)));
+  if (agrees > 0.0) return std::min(left, std::clamp(along, agrees * most, most));
   // At its end the way has no more place for a hand to be ahead of.
   if (left < 2.0 * most && along > -most) return std::min(left, most);
   return std::clamp(along, -std::min(here, most), std::min(left, most));

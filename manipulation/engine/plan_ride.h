@@ -21,7 +21,7 @@ class PlanRide {
     double dt = 0.0;         ///< s of this step.
     bool pressed = false;    ///< The hand presses against something.
     Pose X_DS;               ///< The stylus: a hand that presses along the way is ahead on it too.
-    double agrees = 0.0;     ///< m of the cell that the hand may be behind on the way and has still agreed to go on.
+    double agrees = 0.0;     ///< 0 to 1: how far the hand gives way to the pull, so that the way goes on without it.
   };
 
   /// The entity and the hand are at the same place again, and on no way.
