@@ -15,9 +15,10 @@ constexpr double kRideSpeed = 0.15, kRideSpeedOfCell = 1.0;
 /// m/s of hand in contact: 0.03 N/ms on a coupling of 1 N/mm, a third of M1's bound. Half: leaves contacts slowly;
 /// twice: with the hand's own motion above the bound (ChangingPlan).
 constexpr double kPressedSpeed = 0.03;
-/// rad/s that a solid turns, as a calm wrist. Half: turning takes longest; twice: surfaces at 0.1 m move by 4 mm
-/// between two sets.
-constexpr double kRideTurn = 1.0;
+/// rad/s that a solid turns, as a wrist that is at ease, and in contact, as a calm one. Half: turning takes longest (5.1
+/// s of the extraction exercise); twice: of the first, an eye no longer follows; of the second, surfaces at 0.1 m move by
+/// 4 mm between two sets.
+constexpr double kRideTurn = 2.0, kPressedTurn = 1.0;
 /// rad/s or m/s of a joint: of the 2 to 3 rad/s of robots. Half: arms are led slowly; twice: as fast as they are.
 constexpr double kRideJoint = 2.0;
 /// rad (or m of a joint), and m of a solid: as far off the way, the way does not go on. Half: waits for rounding; twice:
@@ -65,22 +66,27 @@ double farthestJoint(const EntityConfiguration& from, const EntityConfiguration&
   return most;
 }
 
-/// s that the entity needs to get there, at `speed` (m/s) of its moved frame.
-double timeTo(const HeldEntity& held, const EntityConfiguration& to, double speed) {
+/// m/s and rad/s of the moved frame, at most.
+struct Pace {
+  double speed, turn;
+};
+
+/// s that the entity needs to get there.
+double timeTo(const HeldEntity& held, const EntityConfiguration& to, const Pace& pace) {
   const EntityConfiguration& from = held.accepted();
   const Twist way = difference(held.manipulator().movedFrame(to), held.movedFrame());
-  const double moves = std::max(held.manipulator().leastTime(from, to).seconds, glm::length(way.linear) / speed);
-  if (from.joints.empty()) return std::max(moves, glm::length(way.angular) / kRideTurn);
+  const double moves = std::max(held.manipulator().leastTime(from, to).seconds, glm::length(way.linear) / pace.speed);
+  if (from.joints.empty()) return std::max(moves, glm::length(way.angular) / pace.turn);
   return std::max(moves, farthestJoint(from, to) / kRideJoint);
 }
 
 /// Goes on along the way by `farthest` (m), or as far as the entity gets in `dt`; returns where it then is to be.
 EntityConfiguration stepInTime(const HeldEntity& held, const PlannedWay& way, trajectory::PathProgress& progress,
-                               double farthest, double speed, double dt) {
+                               double farthest, const Pace& pace, double dt) {
   const double from = progress.way();
   double share = 1.0;
   const auto at = [&](double part) { return configurationAt(held, way, progress, from + part * farthest); };
-  const auto inTime = [&](double part) { return timeTo(held, at(part), speed) <= dt; };
+  const auto inTime = [&](double part) { return timeTo(held, at(part), pace) <= dt; };
   if (!inTime(1.0)) {
     double late = 1.0;
     share = 0.0;
@@ -141,7 +147,8 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
                     trajectory::PathProgress& progress, const Step& now) {
   const MotionMapping& mapping = hand.mapping();
   const double scale = mapping.scale();
-  const double speed = now.pressed ? kPressedSpeed * scale : std::min(kRideSpeed * scale, kRideSpeedOfCell);
+  const Pace pace = now.pressed ? Pace{kPressedSpeed * scale, kPressedTurn}
+                                : Pace{std::min(kRideSpeed * scale, kRideSpeedOfCell), kRideTurn};
   const Pose X_WBefore = held.movedFrame(), X_WHand = mapping.toCell(X_DP);
   const bool by_hand = now.authority < 1.0;
   double reach = std::min(kNearReach * scale, kNearestOfCell);
@@ -150,10 +157,10 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
   const bool off = isOff(held, wanted);
   if (!off) {
     const double farthest =
-        stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, speed * now.dt, now.agrees);
-    wanted = stepInTime(held, way, progress, farthest, speed, now.dt);
+        stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, pace.speed * now.dt, now.agrees);
+    wanted = stepInTime(held, way, progress, farthest, pace, now.dt);
   }
-  const double needed = timeTo(held, wanted, speed), time = now.authority * now.dt;
+  const double needed = timeTo(held, wanted, pace), time = now.authority * now.dt;
   const bool blocked =
       needed > 0.0 &&
       held.goTo(needed <= time ? wanted : held.manipulator().between(held.accepted(), wanted, time / needed)).blocked;
@@ -177,8 +184,10 @@ void easeContacts(BuiltConstraints& built, const HeldEntity& held, double author
     const ConstraintOrigin& origin = built.origins[i];
     // What blocks by its row alone is not checked otherwise.
     const bool is_soft = origin.pair >= 0 && held.motion().isSoft(static_cast<std::uint32_t>(origin.pair));
-    if (is_soft || (origin.pair < 0 && origin.limit < 0)) continue;
     haptic::Constraint& row = set.constraints[i];
+    // Guides stay; the bound of turning (BuiltConstraints::turn), which has no slope in its middle, does not.
+    const bool is_guide = origin.pair < 0 && origin.limit < 0 && row.gradient != haptic::Vector6{};
+    if (is_soft || is_guide) continue;
     row.gap = farther(row.gap);
     row.trim_gap = farther(row.trim_gap);
     for (double& bend : row.curvature) bend *= by_hand;
