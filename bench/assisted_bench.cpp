@@ -197,10 +197,10 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
     return tried.runs > 0 ? std::string(text) : std::string("-");
   };
-  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(), cell(hand).c_str(),
-              cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
-              static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_led, both.most_led, hand.most_step, both.most_step, 1e3 * hand.least_energy,
-              1e3 * both.least_energy);
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(),
+              cell(hand).c_str(), cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
+              static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_led, both.most_led,
+              hand.most_step, both.most_step, 1e3 * hand.least_energy, 1e3 * both.least_energy);
   std::fflush(stdout);
 }
 
@@ -224,7 +224,8 @@ int main(int argc, char** argv) {
   }
   if (!limits.planner && !limits.hand && !limits.together) limits.planner = limits.hand = limits.together = true;
   if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
-  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both | with impacts | mJ, hand / both |\n"
+  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both "
+              "| with impacts | mJ, hand / both |\n"
               "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& one : wanted) {
     if (one == "extraction") compare([](std::uint64_t) { return extractionScene(); }, limits);
