@@ -242,7 +242,7 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
 
 void FeltPlan::addTo(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping) const {
   if (!leads_ || shareOf(state_) <= 0.0) return;
-  easeContacts(built, held, carried_);
+  easeContacts(built, held, mapping.scale(), carried_);
   makeRoom(built, 3);
   haptic::ConstraintSet& set = built.set;
   std::uint32_t group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;

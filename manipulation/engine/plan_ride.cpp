@@ -175,10 +175,13 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
   hand.turn(q_Wanted * glm::conjugate(X_WHand.q), X_DP);
 }
 
-void easeContacts(BuiltConstraints& built, const HeldEntity& held, double authority) {
+void easeContacts(BuiltConstraints& built, const HeldEntity& held, double scale, double authority) {
   const double by_hand = 1.0 - std::clamp(authority, 0.0, kMostCarried);
   if (by_hand >= 1.0) return;
-  const auto farther = [by_hand](double gap) { return gap > 0.0 ? gap / by_hand : gap; };
+  // Of the distance itself: a way may be nearer than what is felt as contact.
+  const auto farther = [by_hand](double gap, double boundary) {
+    return gap + boundary > 0.0 ? (gap + boundary) / by_hand - boundary : gap;
+  };
   haptic::ConstraintSet& set = built.set;
   for (std::size_t i = 0; i < set.count; ++i) {
     const ConstraintOrigin& origin = built.origins[i];
@@ -188,8 +191,10 @@ void easeContacts(BuiltConstraints& built, const HeldEntity& held, double author
     // Guides stay; the bound of turning (BuiltConstraints::turn), which has no slope in its middle, does not.
     const bool is_guide = origin.pair < 0 && origin.limit < 0 && row.gradient != haptic::Vector6{};
     if (is_soft || is_guide) continue;
-    row.gap = farther(row.gap);
-    row.trim_gap = farther(row.trim_gap);
+    const double felt_from =
+        origin.pair < 0 ? 0.0 : held.pairs()[static_cast<std::size_t>(origin.pair)].feel.boundary / scale;
+    row.gap = farther(row.gap, felt_from);
+    row.trim_gap = farther(row.trim_gap, 0.0);
     for (double& bend : row.curvature) bend *= by_hand;
   }
   set.zone_radius = std::max(set.zone_radius, std::min(kCarriedZone, set.zone_radius / by_hand));

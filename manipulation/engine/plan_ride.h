@@ -46,8 +46,9 @@ class PlanRide {
 };
 
 /// While the hand's motion moves the entity by 1 - `authority` of it only, contacts and limits are as much farther for
-/// the hand. Those that are touched stay, and so do those that nothing but their row keeps apart.
-void easeContacts(BuiltConstraints& built, const HeldEntity& held, double authority);
+/// the hand, at `scale` (m of the cell a metre of hand). Those that truly touch stay, and so do those that nothing but
+/// their row keeps apart.
+void easeContacts(BuiltConstraints& built, const HeldEntity& held, double scale, double authority);
 
 /// The direction of a way at a place (m of its length), unit; zero where the whole way only turns.
 dvec3 directionOf(const trajectory::PathProgress& progress, double way);

@@ -195,21 +195,22 @@ TEST(PlanRide, EasesContactsAsTheHandMovesLess) {
   ASSERT_GT(plain.set.count, 0U);
   for (const double authority : {0.0, 0.3, 0.7, 1.0}) {
     BuiltConstraints eased = plain;
-    easeContacts(eased, **held, authority);
+    easeContacts(eased, **held, 1.0, authority);
     const double by_hand = authority < 1.0 ? 1.0 - authority : 1e-3;
     for (std::size_t i = 0; i < plain.set.count; ++i) {
       const haptic::Vector6 xi{0.004, -0.002, -0.003, 0.02, 0.05, -0.01};
       haptic::Vector6 moved = xi;
       for (double& x : moved) x *= by_hand;
-      const double gap = haptic::evaluate(plain.set.constraints[i], moved) / by_hand;
-      if (plain.set.constraints[i].gap <= 0.0) continue;
+      const int pair = plain.origins[i].pair;
+      const double felt_from = pair < 0 ? 0.0 : (*held)->pairs()[static_cast<std::size_t>(pair)].feel.boundary;
+      const double gap = (haptic::evaluate(plain.set.constraints[i], moved) + felt_from) / by_hand - felt_from;
       EXPECT_NEAR(haptic::evaluate(eased.set.constraints[i], xi), gap, 1e-9 * std::max(1.0, gap)) << authority;
     }
     EXPECT_GE(eased.set.zone_radius, plain.set.zone_radius);
     eased = plain;
-    for (haptic::Constraint& row : eased.set.constraints) row.gap = -1e-5;
-    easeContacts(eased, **held, authority);
-    for (std::size_t i = 0; i < eased.set.count; ++i) EXPECT_EQ(eased.set.constraints[i].gap, -1e-5) << "it is touched";
+    for (haptic::Constraint& row : eased.set.constraints) row.gap = -0.1;
+    easeContacts(eased, **held, 1.0, authority);
+    for (std::size_t i = 0; i < eased.set.count; ++i) EXPECT_EQ(eased.set.constraints[i].gap, -0.1) << "it is touched";
   }
 }
 
