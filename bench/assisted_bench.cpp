@@ -37,6 +37,7 @@ struct Tried {
   int runs = 0, solved = 0;
   std::vector<double> seconds;      ///< Of those that were solved.
   double most_step = 0.0, least_energy = 0.0, inside = 0.0;
+  double most_led = 0.0;            ///< N/ms from 50 ms after a contact changed on, as M1 of docs/dev/feel.md.
   std::uint64_t ways = 0, insistences = 0;
 
   void add(bool is_solved, double time) {
@@ -51,6 +52,26 @@ struct Tried {
     const auto middle = static_cast<std::size_t>(runs / 2);
     return middle < seconds.size() ? seconds[middle] : limit;
   }
+};
+
+/// The largest change of the force in a millisecond, with impacts left out as M1 does.
+class ForceSteps {
+ public:
+  void add(const manipulation::TraceRow& row) {
+    if (row.contact != contact_) changed_ = row.t;
+    contact_ = row.contact;
+    const double step = glm::length(row.force_D - last_D_);
+    last_D_ = row.force_D;
+    if (row.t > changed_ + kAfterChange && step > most_) most_ = step, most_t_ = row.t;
+  }
+  double most() const { return most_; }
+  double when() const { return most_t_; }
+
+ private:
+  static constexpr double kAfterChange = 0.05;  // s, as feel_session.cpp.
+  bool contact_ = false;
+  double changed_ = -1.0, most_ = 0.0, most_t_ = 0.0;
+  dvec3 last_D_{0.0};
 };
 
 /// s that a check counts for, and checks of a search at most: by counts, not by the clock, so that every run gives the
@@ -86,15 +107,15 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   const Pose X_DStart = Pose::translation(-0.5 * way / scene.scale);
   options.hand = haptic::HandPath({{0.0, X_DStart, 0}, {limit, X_DStart, 0}});
   options.assistance = {planner, 1.0};
-  manipulation::TraceSink trace;
-  if (const char* tells = std::getenv("ASSISTED_TELLS"); tells && tells[0] == '2') {
-    trace = [](const manipulation::TraceRow& row) {
-      if (std::lround(1e3 * row.t) % 500 != 0) return;
-      std::fprintf(stderr, "    %.1f s: %.3f %.3f %.3f (%.2f %.2f %.2f %.2f) force %.2f %.2f %.2f %s\n", row.t, row.X_WM.p.x,
-                   row.X_WM.p.y, row.X_WM.p.z, row.X_WM.q.w, row.X_WM.q.x, row.X_WM.q.y, row.X_WM.q.z, row.force_D.x,
-                   row.force_D.y, row.force_D.z, row.contact ? "contact" : "");
-    };
-  }
+  ForceSteps steps;
+  const char* const tells = std::getenv("ASSISTED_TELLS");
+  const auto trace = [&](const manipulation::TraceRow& row) {
+    steps.add(row);
+    if (tells == nullptr || tells[0] != '2' || std::lround(1e3 * row.t) % 500 != 0) return;
+    std::fprintf(stderr, "    %.1f s: %.3f %.3f %.3f (%.2f %.2f %.2f %.2f) force %.2f %.2f %.2f %s\n", row.t, row.X_WM.p.x,
+                 row.X_WM.p.y, row.X_WM.p.z, row.X_WM.q.w, row.X_WM.q.x, row.X_WM.q.y, row.X_WM.q.z, row.force_D.x,
+                 row.force_D.y, row.force_D.z, row.contact ? "contact" : "");
+  };
   const auto report = manipulation::runSession(options, trace);
   if (!report) {
     std::fprintf(stderr, "%s\n", report.error().message().c_str());
@@ -102,11 +123,17 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   }
   tried.add(report->plan->solved, report->plan->solved_s);
   tried.most_step = std::max(tried.most_step, report->forces.force_max_step_n_per_ms);
+  tried.most_led = std::max(tried.most_led, steps.most());
   tried.least_energy = std::min(tried.least_energy, report->forces.energy_min_j);
   tried.inside = std::max(tried.inside, report->forces.penetration_blocked_m);
   tried.ways += report->plan->ways;
   tried.insistences += report->plan->insistences;
-  if (!report->plan->solved && std::getenv("ASSISTED_TELLS")) {
+  if (tells != nullptr) {
+    std::fprintf(stderr, "  seed %llu: %.2f s, %.3f N/ms at %.3f s (%.3f with impacts), %.3f mJ\n",
+                 static_cast<unsigned long long>(seed), report->plan->solved_s, steps.most(), steps.when(),
+                 report->forces.force_max_step_n_per_ms, 1e3 * report->forces.energy_min_j);
+  }
+  if (!report->plan->solved && tells != nullptr) {
     const Pose& X = report->end.X_WM;
     std::fprintf(stderr, "  seed %llu ends at %.3f %.3f %.3f (%.2f %.2f %.2f %.2f), %llu ways\n",
                  static_cast<unsigned long long>(seed), X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z,
@@ -170,10 +197,10 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
     return tried.runs > 0 ? std::string(text) : std::string("-");
   };
-  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(), cell(hand).c_str(),
-              cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
-              static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_step, both.most_step, 1e3 * hand.least_energy,
-              1e3 * both.least_energy);
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(),
+              cell(hand).c_str(), cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
+              static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_led, both.most_led,
+              hand.most_step, both.most_step, 1e3 * hand.least_energy, 1e3 * both.least_energy);
   std::fflush(stdout);
 }
 
@@ -197,8 +224,9 @@ int main(int argc, char** argv) {
   }
   if (!limits.planner && !limits.hand && !limits.together) limits.planner = limits.hand = limits.together = true;
   if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
-  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both | mJ, hand / both |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both "
+              "| with impacts | mJ, hand / both |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& one : wanted) {
     if (one == "extraction") compare([](std::uint64_t) { return extractionScene(); }, limits);
     if (one == "puzzle") compare([](std::uint64_t) { return wirePuzzleScene(); }, limits);

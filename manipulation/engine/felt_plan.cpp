@@ -43,9 +43,10 @@ constexpr double kMetresPerRadian = 0.1, kProgressReach = 0.03;
 /// contacts are left too fast.
 constexpr double kPressed = 5e-5;
 
-/// Share of the pull from which on the entity is carried, 0.1 s after a way came. Half: in fewer steps than are
-/// smooth; twice: robots at large scales leave their way before they are carried.
-constexpr double kCarries = 0.1;
+/// Share of the pull from which on an entity that the hand presses against something is carried: what the hand presses
+/// against gives way then, and the pull is to hold the hand. Half: the hand leaps away from the way; twice: waits for a
+/// second at each contact.
+constexpr double kTakes = 0.5;
 
 double shareOf(const FeltPlan::State& state) {
   return state.authority * state.share;
@@ -96,6 +97,7 @@ void FeltPlan::forget() {
   outside_s_ = 0.0;
   ride_.restart();
   rides_ = false;
+  carried_ = 0.0;
 }
 
 void FeltPlan::look(const HeldEntity& held, const CellState& cell, double scale) {
@@ -142,7 +144,9 @@ void FeltPlan::watchHand(const dvec3& p_WH, double scale, double dt) {
   const dvec3 near = progress_.expertAt(progress_.way()).p, off = p_WH - near;
   const dvec3 along = directionOf(progress_, progress_.way());
   const double most = rides_ ? (kPlanLead + kPlanTube) * scale : 0.0;
-  const double away = glm::length(off - std::clamp(glm::dot(off, along), -most, most) * along) / scale;
+  double away = glm::length(off - std::clamp(glm::dot(off, along), -most, most) * along) / scale;
+  // In a bend the point that pulls is beside the way's direction.
+  if (leads_) away = std::min(away, glm::distance(p_WH, p_WT_) / scale);
   outside_s_ = away > kPlanTube ? outside_s_ + dt : 0.0;
   if (outside_s_ >= kInsists && !state_.insists) {
     state_.insists = true;
@@ -205,6 +209,7 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
   const double scale = mapping.scale(), dt = std::min(cell.clock().stepTime(), 0.1);
   look(held, cell, scale);
   adopt(held.movedFrame());
+  const bool was_carried = std::exchange(carried_, 0.0) > 0.0;
   if (!state_.way || state_.reached) {
     const bool led = std::exchange(leads_, false);
     state_.share = 0.0;
@@ -216,19 +221,28 @@ bool FeltPlan::step(HeldEntity& held, HandMapping& hand, const Pose& X_DS, const
   watchHand(rides_ ? ride_.handAt(mapping, X_DP) : held.movedFrame().p, scale, dt);
   if (!leads_) p_WT_ = held.movedFrame().p;
   leads_ = true;
-  p_WT_ += shortenedTo(wantedPoint(scale) - p_WT_, kLeadSpeed * scale * dt);
+  const dvec3 p_WWanted = wantedPoint(scale);
+  p_WT_ += shortenedTo(p_WWanted - p_WT_, kLeadSpeed * scale * dt);
   if (!rides_) {
     turn(held, hand, X_DP, dt);
   } else if (!state_.insists && state_.authority > 0.0) {
-    const double authority = state_.authority * std::min(1.0, state_.share / kCarries);
     const bool pressed = glm::distance(X_DS.p, X_DP.p) > kPressed;
-    ride_.step(held, hand, X_DP, *state_.way, progress_, {authority, dt, pressed, X_DS});
+    if (pressed && !was_carried && state_.share < kTakes) {
+      progress_.follow(held.movedFrame(), kProgressReach * scale);
+      return true;
+    }
+    carried_ = state_.authority;
+    // A hand that holds against less than the full pull gives way to it.
+    const double holds = glm::distance(ride_.handAt(mapping, X_DP), p_WWanted) / (kPlanLead * scale);
+    const double agrees = std::clamp(2.0 * (1.0 - holds), 0.0, 1.0);
+    ride_.step(held, hand, X_DP, *state_.way, progress_, {carried_, dt, pressed, X_DS, agrees});
   }
   return true;
 }
 
 void FeltPlan::addTo(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping) const {
   if (!leads_ || shareOf(state_) <= 0.0) return;
+  easeContacts(built, held, mapping.scale(), carried_);
   makeRoom(built, 3);
   haptic::ConstraintSet& set = built.set;
   std::uint32_t group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;

@@ -71,7 +71,8 @@ class FeltPlan {
   bool leads_ = false;      ///< There is a point that pulls.
   dvec3 p_WT_{0.0};         ///< It.
   PlanRide ride_;
-  bool rides_ = false;      ///< The entity is carried on the way.
+  bool rides_ = false;      ///< The entity is carried on the way,
+  double carried_ = 0.0;    ///< by so much of its motion, 0 to 1, in the last step.
   double outside_s_ = 0.0;  ///< s that the hand has been out of the tube.
 };
 

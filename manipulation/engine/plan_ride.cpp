@@ -15,16 +15,23 @@ constexpr double kRideSpeed = 0.15, kRideSpeedOfCell = 1.0;
 /// m/s of hand in contact: 0.03 N/ms on a coupling of 1 N/mm, a third of M1's bound. Half: leaves contacts slowly;
 /// twice: with the hand's own motion above the bound (ChangingPlan).
 constexpr double kPressedSpeed = 0.03;
-/// rad/s that a solid turns, as a calm wrist. Half: turning takes longest; twice: surfaces at 0.1 m move by 4 mm
-/// between two sets.
-constexpr double kRideTurn = 1.0;
+/// rad/s that a solid turns, as a wrist that is at ease, and in contact, as a calm one. Half: turning takes longest (5.1
+/// s of the extraction exercise); twice: of the first, an eye no longer follows; of the second, surfaces at 0.1 m move by
+/// 4 mm between two sets.
+constexpr double kRideTurn = 2.0, kPressedTurn = 1.0;
 /// rad/s or m/s of a joint: of the 2 to 3 rad/s of robots. Half: arms are led slowly; twice: as fast as they are.
 constexpr double kRideJoint = 2.0;
 /// rad (or m of a joint), and m of a solid: as far off the way, the way does not go on. Half: waits for rounding; twice:
 /// corners are cut by more than a clearance of 5 mm at 0.5 m.
 constexpr double kOff = 0.01, kOffSolid = 0.5e-3;
-/// Halvings of a step of the way that the entity cannot make in time. Half: waits before fast joints; twice: 1 um.
-constexpr int kHalvings = 6;
+/// Looks for the longest step of the way that the entity can make in time, each halves the error: to 2 %. Half: a
+/// quarter of the speed is lost; twice: no change seen.
+constexpr int kLooksForStep = 6;
+/// Of the authority, as far as rows of the set tell of it: at 1, contacts would be infinitely far. Half of what is left:
+/// rows of 1 um are as far as the tube is wide; twice: a gap of 0.02 mm of hand is felt.
+constexpr double kMostCarried = 0.999;
+/// m of hand: no zone is wider, as SetScheduler's. Half and twice: wider than any workspace here.
+constexpr double kCarriedZone = 0.5;
 /// s that something keeps it off the way until it strays. Half: a brush counts; twice: it is stuck for half a second.
 constexpr double kHeldUp = 0.2;
 /// m of way over which its direction is taken; twice as much again where it only turns. Half: rounding; twice: corners
@@ -59,13 +66,39 @@ double farthestJoint(const EntityConfiguration& from, const EntityConfiguration&
   return most;
 }
 
-/// s that the entity needs to get there, at `speed` (m/s) of its moved frame.
-double timeTo(const HeldEntity& held, const EntityConfiguration& to, double speed) {
+/// m/s and rad/s of the moved frame, at most.
+struct Pace {
+  double speed, turn;
+};
+
+/// s that the entity needs to get there.
+double timeTo(const HeldEntity& held, const EntityConfiguration& to, const Pace& pace) {
   const EntityConfiguration& from = held.accepted();
   const Twist way = difference(held.manipulator().movedFrame(to), held.movedFrame());
-  const double moves = std::max(held.manipulator().leastTime(from, to).seconds, glm::length(way.linear) / speed);
-  if (from.joints.empty()) return std::max(moves, glm::length(way.angular) / kRideTurn);
+  const double moves = std::max(held.manipulator().leastTime(from, to).seconds, glm::length(way.linear) / pace.speed);
+  if (from.joints.empty()) return std::max(moves, glm::length(way.angular) / pace.turn);
   return std::max(moves, farthestJoint(from, to) / kRideJoint);
+}
+
+/// Goes on along the way by `farthest` (m), or as far as the entity gets in `dt`; returns where it then is to be.
+EntityConfiguration stepInTime(const HeldEntity& held, const PlannedWay& way, trajectory::PathProgress& progress,
+                               double farthest, const Pace& pace, double dt) {
+  const double from = progress.way();
+  double share = 1.0;
+  const auto at = [&](double part) { return configurationAt(held, way, progress, from + part * farthest); };
+  const auto inTime = [&](double part) { return timeTo(held, at(part), pace) <= dt; };
+  if (!inTime(1.0)) {
+    double late = 1.0;
+    share = 0.0;
+    for (int i = 0; i < kLooksForStep; ++i) {
+      const double middle = 0.5 * (share + late);
+      (inTime(middle) ? share : late) = middle;
+    }
+    // Near enough to what takes longer than a step: it is gone on to in several.
+    if (share == 0.0) share = late;
+  }
+  progress.setWay(from + share * farthest);
+  return at(share);
 }
 
 bool isOff(const HeldEntity& held, const EntityConfiguration& wanted) {
@@ -75,12 +108,13 @@ bool isOff(const HeldEntity& held, const EntityConfiguration& wanted) {
   return glm::length(off.linear) > kOffSolid || glm::length(off.angular) > kOff;
 }
 
-/// m of the way on (or back) to where the hand is, at most `most`.
-double stepTo(const dvec3& p_WH, const trajectory::PathProgress& progress, double most) {
+/// m of the way on (or back) to where the hand is, at most `most`; on by a share `agrees` of that wherever the hand is.
+double stepTo(const dvec3& p_WH, const trajectory::PathProgress& progress, double most, double agrees) {
   const double here = progress.way(), left = progress.length() - here;
   const dvec3 direction = directionOf(progress, here);
   if (direction == dvec3(0.0)) return std::min(left, most);
   const double along = glm::dot(p_WH - progress.expertAt(here).p, direction);
+  if (agrees > 0.0) return std::min(left, std::clamp(along, agrees * most, most));
   // At its end the way has no more place for a hand to be ahead of.
   if (left < 2.0 * most && along > -most) return std::min(left, most);
   return std::clamp(along, -std::min(here, most), std::min(left, most));
@@ -113,7 +147,8 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
                     trajectory::PathProgress& progress, const Step& now) {
   const MotionMapping& mapping = hand.mapping();
   const double scale = mapping.scale();
-  const double speed = now.pressed ? kPressedSpeed * scale : std::min(kRideSpeed * scale, kRideSpeedOfCell);
+  const Pace pace = now.pressed ? Pace{kPressedSpeed * scale, kPressedTurn}
+                                : Pace{std::min(kRideSpeed * scale, kRideSpeedOfCell), kRideTurn};
   const Pose X_WBefore = held.movedFrame(), X_WHand = mapping.toCell(X_DP);
   const bool by_hand = now.authority < 1.0;
   double reach = std::min(kNearReach * scale, kNearestOfCell);
@@ -121,28 +156,48 @@ void PlanRide::step(HeldEntity& held, HandMapping& hand, const Pose& X_DP, const
   EntityConfiguration wanted = configurationAt(held, way, progress, progress.way());
   const bool off = isOff(held, wanted);
   if (!off) {
-    double step = stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, speed * now.dt);
-    const double from = progress.way();
-    for (int i = 0;; ++i, step *= 0.5) {
-      wanted = configurationAt(held, way, progress, from + step);
-      if (i == kHalvings || timeTo(held, wanted, speed) <= now.dt) break;
-    }
-    progress.setWay(from + step);
+    const double farthest =
+        stepTo(mapping.toCell(now.X_DS).p + shift_W_, progress, pace.speed * now.dt, now.agrees);
+    wanted = stepInTime(held, way, progress, farthest, pace, now.dt);
   }
-  const double needed = timeTo(held, wanted, speed), time = now.authority * now.dt;
+  const double needed = timeTo(held, wanted, pace), time = now.authority * now.dt;
   const bool blocked =
       needed > 0.0 &&
       held.goTo(needed <= time ? wanted : held.manipulator().between(held.accepted(), wanted, time / needed)).blocked;
   held_up_s_ = blocked || (off && now.pressed) ? held_up_s_ + now.dt : 0.0;
-  // The anchor follows, less what the hand's own motion is to move. A hand that presses is let go of slowly.
+  // The anchor follows, less what the hand's own motion is to move.
   const Pose X_WM = held.movedFrame();
-  const dvec3 all_W = X_WM.p + (1.0 - now.authority) * (X_WHand.p - X_WBefore.p) - X_WHand.p;
-  const dvec3 way_W = now.pressed ? shortenedTo(all_W, speed * now.dt) : all_W;
+  const dvec3 way_W = X_WM.p + (1.0 - now.authority) * (X_WHand.p - X_WBefore.p) - X_WHand.p;
   const dvec3 turned = rotationVector(X_WHand.q * glm::conjugate(X_WBefore.q));
   const dquat q_Wanted = quaternionFromRotationVector((1.0 - now.authority) * turned) * X_WM.q;
   shift_W_ -= way_W;
   hand.shift(way_W);
   hand.turn(q_Wanted * glm::conjugate(X_WHand.q), X_DP);
+}
+
+void easeContacts(BuiltConstraints& built, const HeldEntity& held, double scale, double authority) {
+  const double by_hand = 1.0 - std::clamp(authority, 0.0, kMostCarried);
+  if (by_hand >= 1.0) return;
+  // Of the distance itself: a way may be nearer than what is felt as contact.
+  const auto farther = [by_hand](double gap, double boundary) {
+    return gap + boundary > 0.0 ? (gap + boundary) / by_hand - boundary : gap;
+  };
+  haptic::ConstraintSet& set = built.set;
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const ConstraintOrigin& origin = built.origins[i];
+    // What blocks by its row alone is not checked otherwise.
+    const bool is_soft = origin.pair >= 0 && held.motion().isSoft(static_cast<std::uint32_t>(origin.pair));
+    haptic::Constraint& row = set.constraints[i];
+    // Guides stay; the bound of turning (BuiltConstraints::turn), which has no slope in its middle, does not.
+    const bool is_guide = origin.pair < 0 && origin.limit < 0 && row.gradient != haptic::Vector6{};
+    if (is_soft || is_guide) continue;
+    const double felt_from =
+        origin.pair < 0 ? 0.0 : held.pairs()[static_cast<std::size_t>(origin.pair)].feel.boundary / scale;
+    row.gap = farther(row.gap, felt_from);
+    row.trim_gap = farther(row.trim_gap, 0.0);
+    for (double& bend : row.curvature) bend *= by_hand;
+  }
+  set.zone_radius = std::max(set.zone_radius, std::min(kCarriedZone, set.zone_radius / by_hand));
 }
 
 }  // namespace hapticell::manipulation

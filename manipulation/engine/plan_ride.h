@@ -12,8 +12,8 @@ namespace hapticell::manipulation {
 /// what the planner has found free is what is moved through, with the joints of the plan.
 ///
 /// The hand's anchor goes along, so that the hand may wander beside the way without leading the entity off it. What of
-/// the hand's motion moves the entity is 1 minus the authority. Where the hand presses, the entity and the anchor move so
-/// slowly that forces change by little. Every motion is checked (HeldEntity::goTo). Manipulation thread only.
+/// the hand's motion moves the entity is 1 minus the authority. Where the hand presses, the entity moves so slowly that
+/// forces change by little. Every motion is checked (HeldEntity::goTo). Manipulation thread only.
 class PlanRide {
  public:
   struct Step {
@@ -21,6 +21,7 @@ class PlanRide {
     double dt = 0.0;         ///< s of this step.
     bool pressed = false;    ///< The hand presses against something.
     Pose X_DS;               ///< The stylus: a hand that presses along the way is ahead on it too.
+    double agrees = 0.0;     ///< 0 to 1: how far the hand gives way to the pull, so that the way goes on without it.
   };
 
   /// The entity and the hand are at the same place again, and on no way.
@@ -43,6 +44,11 @@ class PlanRide {
   dvec3 shift_W_{0.0};
   double held_up_s_ = 0.0;  ///< s that something has kept it off the way.
 };
+
+/// While the hand's motion moves the entity by 1 - `authority` of it only, contacts and limits are as much farther for
+/// the hand, at `scale` (m of the cell a metre of hand). Those that truly touch stay, and so do those that nothing but
+/// their row keeps apart.
+void easeContacts(BuiltConstraints& built, const HeldEntity& held, double scale, double authority);
 
 /// The direction of a way at a place (m of its length), unit; zero where the whole way only turns.
 dvec3 directionOf(const trajectory::PathProgress& progress, double way);

@@ -184,6 +184,36 @@ TEST_F(FeltPlanTest, TellsThePlannerWhatKeepsTheEntityOffItsWay) {
   EXPECT_GT(engine.placement(2).X_WE.p.z, start.p.z - 0.1 - 1e-4) << "it does not enter the table";
 }
 
+/// Contacts of an entity that is carried are as much farther as the hand's motion moves it less.
+TEST(PlanRide, EasesContactsAsTheHandMovesLess) {
+  const auto scene = PreparedScene::prepare(test::boxOverTable(0.005), {}, {});
+  const auto held = HeldEntity::take(scene, 2, {}, {}, {});
+  ASSERT_TRUE(held) << held.error().message();
+  MotionMapping mapping;
+  mapping.anchor({}, (*held)->movedFrame());
+  const BuiltConstraints plain = (*held)->constraints(mapping, {}, {});
+  ASSERT_GT(plain.set.count, 0U);
+  for (const double authority : {0.0, 0.3, 0.7, 1.0}) {
+    BuiltConstraints eased = plain;
+    easeContacts(eased, **held, 1.0, authority);
+    const double by_hand = authority < 1.0 ? 1.0 - authority : 1e-3;
+    for (std::size_t i = 0; i < plain.set.count; ++i) {
+      const haptic::Vector6 xi{0.004, -0.002, -0.003, 0.02, 0.05, -0.01};
+      haptic::Vector6 moved = xi;
+      for (double& x : moved) x *= by_hand;
+      const int pair = plain.origins[i].pair;
+      const double felt_from = pair < 0 ? 0.0 : (*held)->pairs()[static_cast<std::size_t>(pair)].feel.boundary;
+      const double gap = (haptic::evaluate(plain.set.constraints[i], moved) + felt_from) / by_hand - felt_from;
+      EXPECT_NEAR(haptic::evaluate(eased.set.constraints[i], xi), gap, 1e-9 * std::max(1.0, gap)) << authority;
+    }
+    EXPECT_GE(eased.set.zone_radius, plain.set.zone_radius);
+    eased = plain;
+    for (haptic::Constraint& row : eased.set.constraints) row.gap = -0.1;
+    easeContacts(eased, **held, 1.0, authority);
+    for (std::size_t i = 0; i < eased.set.count; ++i) EXPECT_EQ(eased.set.constraints[i].gap, -0.1) << "it is touched";
+  }
+}
+
 TEST(PlanRide, GoesTheWaysDirection) {
   const auto along = [](const std::vector<Pose>& X_WM) {
     trajectory::Trajectory way;
@@ -274,6 +304,36 @@ TEST(ChangingPlan, IsNotFeltAsJumpsInTheAir) {
 TEST(ChangingPlan, IsNotFeltAsJumpsOnTheTable) {
   changesTenTimes(0.003, 1000.0, 0.001);
   changesTenTimes(0.003, 60.0, 0.010);
+}
+
+/// A hand that presses the box onto the table all the time, and a way that first of all turns it.
+TEST(ChangingPlan, LeadsAwayFromWhatTheHandPressesAgainst) {
+  auto plans = std::make_shared<ScriptedPlans>();
+  std::int64_t begin = -1;
+  plans->on_look = [source = plans.get(), &begin](const PlanView& view) {
+    if (begin < 0) begin = view.time_ns;
+    if (source->given > 0 || view.time_ns - begin < 1'500'000'000) return;
+    const dquat turned = quaternionFromRotationVector({0.0, 0.0, 1.0});
+    const dvec3 up(0.0, 0.0, 0.006), side(0.02, 0.0, 0.0);
+    source->give({view.X_WM, {view.X_WM.p + up, turned}, {view.X_WM.p + up + side, turned}});
+  };
+  SessionOptions options = test::sessionOf(
+      test::boxOverTable(0.003), "box",
+      test::handThrough({{0.0, {}}, {0.5, {}}, {1.0, {0.0, 0.0, -0.006}}, {6.0, {0.0, 0.0, -0.006}}}), 250.0, 0.004);
+  options.axes.mode = AxesMode::kCell;
+  options.assistance = {plans, 1.0};
+  double pressed = 0.0;
+  const auto report = runSession(options, [&](const TraceRow& row) {
+    if (row.t < 1.4 && row.contact) pressed = std::max(pressed, glm::length(row.force_D));
+  });
+  ASSERT_TRUE(report.has_value()) << report.error().message();
+  EXPECT_GT(pressed, 0.5) << "N";
+  const double lifted = report->end.X_WM.p.z - test::boxOverTable(0.003)[1].X_WE.p.z;
+  EXPECT_NEAR(lifted, 0.004, 1e-4) << "2 mm down to the table's boundary, 6 mm up by the way";
+  EXPECT_NEAR(glm::length(rotationVector(report->end.X_WM.q)), 1.0, 0.02);
+  EXPECT_LE(report->forces.force_max_step_n_per_ms, 0.10);
+  EXPECT_LE(report->forces.penetration_blocked_m, 1e-6);
+  EXPECT_GE(report->forces.energy_min_j, -0.5e-3);
 }
 
 }  // namespace
