@@ -159,6 +159,7 @@ struct AxisLimits {
 
 AxisLimits axisLimits(const ReadMotions& read) {
   AxisLimits worst;
+  if (read.axis_joints == 0) return worst;
   const kinematics::RobotModel& robot = *read.entity.robot();
   for (std::size_t j = 0; j < read.axis_joints; ++j) {
     const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[read.columns[j]])];

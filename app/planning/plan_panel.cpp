@@ -210,7 +210,12 @@ void PlanPanel::take(const PathAnswer& answer) {
     return refresh();
   }
   trajectory::Trajectory motion = *answer.motion;
-  motion.take = tr("Path, seed %1").arg(planned_seed_).toStdString();
+  // A take of its own: motions of one take are checked and played together.
+  const auto& document = host_.documentModel().document().state();
+  const QString take = tr("Path, seed %1").arg(planned_seed_);
+  motion.take = take.toStdString();
+  for (int number = 2; document.findTrajectory(motion.entity + ", " + motion.take); ++number)
+    motion.take = QStringLiteral("%1 (%2)").arg(take).arg(number).toStdString();
   std::vector<trajectory::Trajectory> motions = answer.axes;
   for (trajectory::Trajectory& axis : motions) axis.take = motion.take;
   last_ = tr("Least clearance %1 mm %2. Length %3 mm, %4 s, seed %5.")

@@ -3779,10 +3779,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
     </message>
     <message>
-        <source>Check that you have permission to read it.</source>
-        <translation>Vérifiez que vous avez le droit de le lire.</translation>
-    </message>
-    <message>
         <source>Check the disk or the receiving program.</source>
         <translation>Vérifiez le disque ou le programme qui reçoit les données.</translation>
     </message>
@@ -4911,12 +4907,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exclure</translation>
     </message>
     <message>
+        <source>Exclude %1 pairs that overlap</source>
+        <translation>Exclure %1 paires qui se chevauchent</translation>
+    </message>
+    <message>
         <source>Exclude %1 pairs that touch at rest</source>
         <translation>Exclure %1 paires qui se touchent au repos</translation>
     </message>
     <message>
         <source>Exclude %1 – %2</source>
         <translation>Exclure %1 – %2</translation>
+    </message>
+    <message>
+        <source>Exclude a pair that overlaps</source>
+        <translation>Exclure une paire qui se chevauche</translation>
     </message>
     <message>
         <source>Exclude a pair that touches at rest</source>
@@ -8985,6 +8989,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Reaching</source>
         <translation>En atteignant</translation>
+    </message>
+    <message>
+        <source>Read it again when no program writes to it.</source>
+        <translation>Relisez-le quand aucun programme n'y écrit.</translation>
     </message>
     <message>
         <source>Read the files task-N.log in this folder, then submit again.</source>
@@ -19231,8 +19239,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>impossible d'écrire le fichier</translation>
     </message>
     <message>
-        <source>the file could not be read</source>
-        <translation>le fichier n'a pas pu être lu</translation>
+        <source>the file could not be read to its end</source>
+        <translation>le fichier n'a pas pu être lu jusqu'à sa fin</translation>
     </message>
     <message>
         <source>the file could not be used (%1)</source>

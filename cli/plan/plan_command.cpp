@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/plan/plan_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "trajectory/files/pose_csv.h"
 #include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/csv_table.h"
+#include "workcell/files/content_name.h"
 #include "workcell/format/document_io.h"
 
 namespace hapticell::cli {
@@ -199,24 +201,44 @@ std::string textOf(const trajectory::Trajectory& motion, const std::filesystem::
   return file.extension() == ".csv" ? toCsvText(motion) : toJsonText(motion);
 }
 
-/// "path-rail.htraj" for the axis "rail" beside "path.htraj"; what does not belong in a file's name becomes "_".
-std::filesystem::path fileOfAxis(const std::filesystem::path& output, std::string axis) {
+/// Files that belong together: those of the axes' motions, then that of the entity.
+using PlanFiles = std::vector<FileToWrite>;
+
+/// "path-rail.htraj" for the axis "rail" beside "path.htraj"; what does not belong in a file's name becomes "_", and a
+/// name that another axis has already gets a number.
+std::filesystem::path fileOfAxis(const std::filesystem::path& output, std::string axis, const PlanFiles& others) {
   for (char& letter : axis) {
-    if (std::string_view("/\\:*?\"<>|").find(letter) != std::string_view::npos || letter < ' ') letter = '_';
+    if (std::string_view("/\\:*?\"<>|").find(letter) != std::string_view::npos) letter = '_';
   }
-  return output.parent_path() / (output.stem().string() + "-" + axis + output.extension().string());
+  for (int number = 1;; ++number) {
+    const std::string name = number == 1 ? axis : axis + "-" + std::to_string(number);
+    const auto file = output.parent_path() / (output.stem().string() + "-" + name + output.extension().string());
+    const auto isTaken = [&](const FileToWrite& other) { return other.path == file; };
+    if (std::none_of(others.begin(), others.end(), isTaken)) return file;
+  }
 }
 
-/// Files of the axes' motions: the text of each.
-using AxisFiles = std::vector<std::pair<std::filesystem::path, std::string>>;
-
-Expected<std::vector<std::filesystem::path>> writeInto(const std::filesystem::path& folder, const AxisFiles& files) {
+Expected<std::vector<std::filesystem::path>> writeInto(const std::filesystem::path& folder, const PlanFiles& files) {
   std::vector<std::filesystem::path> written;
-  for (const auto& [file, text] : files) {
-    written.push_back(folder / (std::to_string(written.size()) + file.extension().string()));
-    HAPTICELL_TRY(writeFileAtomically(written.back(), text));
+  for (const FileToWrite& file : files) {
+    written.push_back(folder / (std::to_string(written.size()) + file.path.extension().string()));
+    HAPTICELL_TRY(writeFileAtomically(written.back(), file.content));
   }
   return written;
+}
+
+/// All or none: the entity's file is measured with those of the axes before the first is written.
+Expected<void> writeAll(PlanFiles files, const std::string& text, const PlanOptions& options,
+                        const MeasureFile& measure, ordered_json& json) {
+  if (files.empty()) return writeKept(options.output, text, ".htraj", false, measure, json);
+  const std::filesystem::path output = options.output;
+  if (auto kept = writeKept("", text, output.extension().string(), false, measure, json); !kept) {
+    Error missed = kept.error();
+    if (missed.file.empty()) missed.file = options.output;
+    return makeError(std::move(missed));
+  }
+  files.push_back({output, text});
+  return writeFilesAtomically(files);
 }
 
 /// Times the plan and writes it, once the files as written keep what was asked.
@@ -230,11 +252,13 @@ Expected<ordered_json> writePlan(const planning::PlanResult& result, const plann
     const auto motion = planning::timedMotion(plan, space, {.sample_s = 0.01, .rounding = rounding});
     HAPTICELL_TRY(motion);
     auto motions = planning::motionsOfEntities(*motion, space);
-    AxisFiles axes;
+    PlanFiles axes;
+    // What was recorded together has one take, and no other plan has it; equal plans still give equal files.
+    const std::string take = "plan " + workcell::contentName(toJsonText(*motion)).substr(0, 12);
     for (std::size_t k = 1; k < motions.size(); ++k) {
-      motions.front().take = motions[k].take = "plan, seed " + std::to_string(options.seed);
-      const auto file = fileOfAxis(options.output, motions[k].entity);
-      axes.emplace_back(file, textOf(motions[k], file));
+      motions.front().take = motions[k].take = take;
+      const auto file = fileOfAxis(options.output, motions[k].entity, axes);
+      axes.push_back({file, textOf(motions[k], file)});
     }
     const auto folder = ScratchFolder::make();
     HAPTICELL_TRY(folder);
@@ -250,13 +274,12 @@ Expected<ordered_json> writePlan(const planning::PlanResult& result, const plann
       tight = std::move(check->tight);
       return std::move(check->promises);
     };
-    written = writeKept(options.output, textOf(motions.front(), options.output), ".htraj", false, measure, json);
+    written = writeAll(axes, textOf(motions.front(), options.output), options, measure, json);
     if (!written) continue;
     for (std::size_t k = 0; k < axes.size(); ++k) {
-      HAPTICELL_TRY(writeFileAtomically(axes[k].first, axes[k].second));
       json["axes"].push_back({{"entity", motions[k + 1].entity},
                               {"joints", motions[k + 1].joint_names},
-                              {"output", axes[k].first.string()}});
+                              {"output", axes[k].path.string()}});
     }
     json["clearance_min_m"] = clearance;
     addTight(tight, json);

@@ -74,8 +74,8 @@ Expected<OpenFile> openRegularFile(const fs::path& path, std::uintmax_t most_byt
 
 Error endedEarly(const fs::path& path) {
   return {.file = path.string(),
-          .found = "the file could not be read",
-          .fix = "Check that you have permission to read it."};
+          .found = "the file could not be read to its end",
+          .fix = "Read it again when no program writes to it."};
 }
 
 Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes) {

@@ -50,7 +50,7 @@ class JointCheck {
   static Expected<JointCheck> create(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                      const config::Configuration& configuration,
                                      RestContacts at_rest = RestContacts::kCount, bool with_axes = false);
-  /// The same checks without any answers known.
+  /// The same checks for another thread.
   JointCheck fresh() const;
 
   /// True if nothing touches or intersects at these joints (one number a variable, rad or m), and no pair is nearer than

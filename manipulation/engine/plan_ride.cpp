@@ -183,6 +183,7 @@ void easeContacts(BuiltConstraints& built, const HeldEntity& held, double scale,
     return gap + boundary > 0.0 ? (gap + boundary) / by_hand - boundary : gap;
   };
   haptic::ConstraintSet& set = built.set;
+  built.eased = by_hand;
   for (std::size_t i = 0; i < set.count; ++i) {
     const ConstraintOrigin& origin = built.origins[i];
     // What blocks by its row alone is not checked otherwise.

@@ -272,9 +272,12 @@ std::vector<LimitState> StylusHolder::nearLimits() const {
   for (std::size_t i = 0; i < built.set.count && i < built.origins.size(); ++i) {
     if (built.origins[i].limit < 0) continue;
     const MotionLimit& limit = built.limits[static_cast<std::size_t>(built.origins[i].limit)];
-    const double gap = haptic::evaluate(built.set.constraints[i], here);
+    // As it is, not as it is felt while a plan carries the entity.
+    haptic::Constraint row = built.set.constraints[i];
+    if (row.gap > 0.0) row.gap *= built.eased;
+    const double gap = haptic::evaluate(row, here);
     if (gap > kLimitShown) continue;
-    const double least = std::min(gap, haptic::evaluate(built.set.constraints[i], proxy));
+    const double least = std::min(gap, haptic::evaluate(row, proxy));
     near.push_back({limit.text, held()->ownJoint(limit.joint), limit.kind, std::max(0.0, gap) * hand_.mapping().scale(),
                     least < kLimitHolds});
   }

@@ -70,6 +70,7 @@ struct BuiltConstraints {
   bool facets = false;              ///< See collision::ZoneContacts::facets.
   double turn = 0.0;                ///< Allowed rotation of the entity in the set, rad, if it is bounded: see
                                     ///< dropTurnBound().
+  double eased = 1.0;               ///< Gaps above 0 were divided by this: see easeContacts().
   double cost = 0.0;                ///< Calculated (not measured) time to make such a set, s; the same in every run.
 };
 

@@ -81,6 +81,8 @@ Pose poseAt(const PlacedPart& one, int place) {
 bool touchEverywhere(const PlacedPart& a, const PlacedPart& b, collision::ProximityQuery& query) {
   const auto isLoop = [](const PlacedPart& one) { return one.entity->robot() && one.entity->robot()->closure; };
   if (!a.entity->robot() && !b.entity->robot()) return false;
+  // What hangs on a link, and one of the other links: as modelled.
+  if (a.entity->attachment.to == b.entity->name || b.entity->attachment.to == a.entity->name) return true;
   if (isLoop(a) || isLoop(b)) return false;
   for (int i = 0; i < kTouchPlaces; ++i) {
     if (!query.collides(poseAt(a, i), poseAt(b, i))) return false;

@@ -39,7 +39,7 @@ std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i);
 
 /// Takes from `touching`, found by touchingAtRest() in the same scene, the pairs that overlap deeply: the deepest first.
 /// Whether they shall be excluded is a question of its own, as excluding them can hide a real collision. A link that
-/// overlaps whatever its joints are (one that turns about an axis in its foot) stays in `touching`. Some ms for each
+/// overlaps whatever its joints are (one that turns about an axis in its foot) stays in `touching`, and so does a tool that overlaps a link of its robot. Some ms for each
 /// pair that is deep. Any thread.
 std::vector<DeepOverlap> takeDeepOverlaps(const PreparedScene& scene, std::vector<workcell::PairRule>& touching);
 

@@ -122,6 +122,17 @@ def test_a_robot_moves_with_its_rail(folder):
     check = json.loads(run("trajectory", "check", "path.htraj", "--workcell", "rail.hcell", "--together", "path-rail.htraj",
                            "--fail-on-contact", "--fail-on-limit", folder=folder).stdout)
     assert check["free"] and check["within_limits"], check
+    # Both files or none; the name of the axis as it is, and another plan is another take.
+    text = (folder / "rail.hcell").read_text()
+    (folder / "süd.hcell").write_text(text.replace('"name": "rail"', '"name": "Süd/1"').replace('"to": "rail"', '"to": "Süd/1"'))
+    (folder / "x-Süd_1.htraj").mkdir()
+    south = ("--workcell", "süd.hcell", "--entity", "robot", "--to-joints=1.5,-1.57,-1.2,1.2,-1.57,-1.57,0", "-o", "x.htraj")
+    run("plan", *south, folder=folder, expect=2)
+    assert not (folder / "x.htraj").exists()
+    (folder / "x-Süd_1.htraj").rmdir()
+    (axis,) = plan(*south, folder=folder)["axes"]
+    assert axis["entity"] == "Süd/1" and axis["output"] == "x-Süd_1.htraj", axis
+    assert json.loads((folder / "x.htraj").read_text())["take"] not in ("", robot["take"])
     # The rail stays: out of reach, or joints of the robot alone.
     answer = plan(*base, "--keep-axes", "-o", "no.htraj", folder=folder, expect=1)
     assert answer["constraint"] == "reach" and not (folder / "no.htraj").exists(), answer

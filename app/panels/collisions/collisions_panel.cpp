@@ -76,7 +76,7 @@ CollisionsPanel::CollisionsPanel(Host& host, QWidget* parent) : QWidget(parent),
     filter_->clear();
     show_->setCurrent(0);
     model_.setShow(PairTableModel::Show::kAll, {});
-    question_->hide();
+    question_->forget();
     rest_.askAgain();
   });
   connect(&host_.selection(), &Selection::changed, this, refresh);

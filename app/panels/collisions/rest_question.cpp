@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -73,19 +74,34 @@ RestQuestion::RestQuestion(Host& host, QWidget* parent) : QFrame(parent), host_(
   row->addWidget(keep_);
   hide();
   connect(leave_out_, &QPushButton::clicked, this, &RestQuestion::leaveOut);
-  connect(keep_, &QPushButton::clicked, this, &RestQuestion::showNext);
+  connect(keep_, &QPushButton::clicked, this, &RestQuestion::keep);
 }
 
 void RestQuestion::ask(RestCheck::Touching found) {
   left_ = std::move(found);
+  const auto isKept = [this](const workcell::PairRule& rule) {
+    return std::any_of(kept_.begin(), kept_.end(), [&](const auto& one) { return workcell::samePair(one, rule); });
+  };
+  std::erase_if(left_.pairs, isKept);
+  std::erase_if(left_.deep, [&](const manipulation::DeepOverlap& one) { return isKept(one.rule); });
+  showNext();
+}
+
+void RestQuestion::forget() {
+  kept_.clear();
+  hide();
+}
+
+void RestQuestion::keep() {
+  kept_.insert(kept_.end(), asked_.begin(), asked_.end());
   showNext();
 }
 
 void RestQuestion::showNext() {
-  const bool is_deep = left_.pairs.empty();
+  is_deep_ = left_.pairs.empty();
   QStringList names;
   asked_.clear();
-  if (is_deep) {
+  if (is_deep_) {
     for (const manipulation::DeepOverlap& one : left_.deep) {
       names << namesOf(one.rule) + QStringLiteral(" (%1)").arg(lengthText(one.depth));
       asked_.push_back(one.rule);
@@ -98,10 +114,10 @@ void RestQuestion::showNext() {
   setVisible(!asked_.empty());
   if (asked_.empty()) return;
   leave_out_->setEnabled(true);
-  emphasize(leave_out_, !is_deep);
-  emphasize(keep_, is_deep);
+  emphasize(leave_out_, !is_deep_);
+  emphasize(keep_, is_deep_);
   text_->setToolTip(names.join('\n'));
-  text_->setText(is_deep ? overlapText(names) : touchText(names));
+  text_->setText(is_deep_ ? overlapText(names) : touchText(names));
 }
 
 void RestQuestion::setOutdated() {
@@ -110,8 +126,10 @@ void RestQuestion::setOutdated() {
 
 void RestQuestion::leaveOut() {
   const int count = static_cast<int>(asked_.size());
-  const QString text =
+  const QString overlaps = count == 1 ? tr("Exclude a pair that overlaps") : tr("Exclude %1 pairs that overlap").arg(count);
+  const QString touches =
       count == 1 ? tr("Exclude a pair that touches at rest") : tr("Exclude %1 pairs that touch at rest").arg(count);
+  const QString text = is_deep_ ? overlaps : touches;
   auto rules = std::move(asked_);
   showNext();
   host_.documentModel().execute(workcell::SetPairRules{std::move(rules), text.toStdString()});

@@ -20,12 +20,16 @@ class RestQuestion : public QFrame {
   Q_OBJECT
  public:
   explicit RestQuestion(Host& host, QWidget* parent = nullptr);
+  /// Pairs that the user kept are not asked about again.
   void ask(RestCheck::Touching found);
+  /// Another cell: nothing has been answered.
+  void forget();
   /// The cell has changed since the question: nothing can be excluded until it is asked again.
   void setOutdated();
 
  private:
   void leaveOut();
+  void keep();
   /// Asks about what is left to ask about; hides where nothing is.
   void showNext();
 
@@ -33,7 +37,8 @@ class RestQuestion : public QFrame {
   QLabel* text_;
   QPushButton *leave_out_, *keep_;
   RestCheck::Touching left_;
-  std::vector<workcell::PairRule> asked_;
+  std::vector<workcell::PairRule> asked_, kept_;
+  bool is_deep_ = false;  ///< What is asked about overlaps deeply.
 };
 
 }  // namespace hapticell::app

@@ -278,7 +278,7 @@ TEST(SetSlots, TheOfferedSetIsInUseAfterTheChangeOnly) {
   EXPECT_EQ(slots->sequence(), 0u);
   slots->offer(numbered(7), 0.02);
   EXPECT_TRUE(slots->offered());
-  EXPECT_EQ(slots->next().set.sequence, 7u);
+  EXPECT_EQ(slots->next().sequence, 7u);
   EXPECT_EQ(slots->sequence(), 0u);
   slots->change();
   EXPECT_TRUE(slots->holds());
@@ -287,7 +287,7 @@ TEST(SetSlots, TheOfferedSetIsInUseAfterTheChangeOnly) {
   EXPECT_NEAR(slots->current().age, 0.02, 1e-15);
   slots->offer(numbered(8), 0.0);
   slots->offer(numbered(9), 0.0);
-  EXPECT_EQ(slots->next().set.sequence, 9u) << "the newest offer wins";
+  EXPECT_EQ(slots->next().sequence, 9u) << "the newest offer wins";
   slots->reset();
   EXPECT_FALSE(slots->holds() || slots->offered());
   EXPECT_EQ(slots->sequence(), 0u);

@@ -159,6 +159,11 @@ TEST(CollisionsPanel, WhatOverlapsDeeplyIsAQuestionOfItsOwn) {
   EXPECT_FALSE(question->isVisible());
   ASSERT_EQ(page.state().pair_rules.size(), 1u);
   EXPECT_EQ(page.state().pair_rules[0].second, "hovering");
+  EXPECT_EQ(page.document().undoText(), "Exclude a pair that overlaps");
+  // What the user kept is not asked about again.
+  ASSERT_TRUE(page.window().documentModel().execute(workcell::SetPlacement{page.hovering, Pose::translation({0.0, 0.0, 1.5})}));
+  page.prepareScene();
+  EXPECT_FALSE(WindowPage::until([&] { return look(), question->isVisible(); }, 500));
 }
 
 TEST(CollisionsPanel, TheQuestionFollowsAPartThatIsMovedAway) {
