@@ -25,7 +25,4 @@ struct GoalStates {
 Expected<GoalStates> goalStates(const Goal& goal, FreeSpace& space, const EntityConfiguration& start,
                                 std::uint64_t seed);
 
-/// The sentence on a start that is not free.
-Failure startFailure(FreeSpace& space, const EntityConfiguration& start);
-
 }  // namespace hapticell::planning

@@ -129,4 +129,22 @@ Text whyNoWayOut(FreeSpace& space, const EntityConfiguration& at, const Text& wh
               worst.who.met, most, worst.who.moved);
 }
 
+Failure startFailure(FreeSpace& space, const EntityConfiguration& start) {
+  Failure failure;
+  failure.kind = Failure::Kind::kStart;
+  const double distance = space.clearanceAt(start, space.clearance());
+  const auto nearest = space.nearestAt(start, space.clearance());
+  if (!nearest) {  // Its own parts meet.
+    space.isFree(start);
+    failure.reason = Text("the start is not free: %1", space.blocker() ? space.blocker()->text() : Text());
+    return failure;
+  }
+  failure.blocked_by = nearest->met;
+  failure.reason = distance > 0.0
+                       ? Text("at the start %1 is %2 from %3, nearer than the clearance of %4", nearest->moved,
+                              Text::Length{distance}, nearest->met, Text::Length{space.clearance()})
+                       : Text("at the start %1 touches %2", nearest->moved, nearest->met);
+  return failure;
+}
+
 }  // namespace hapticell::planning

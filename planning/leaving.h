@@ -5,6 +5,7 @@
 
 #include "geometry/system/text.h"
 #include "planning/free_space.h"
+#include "planning/plan.h"
 
 namespace hapticell::planning {
 
@@ -17,5 +18,8 @@ std::optional<EntityConfiguration> wayOut(FreeSpace& space, const EntityConfigur
 /// The sentence on why there is no wayOut(): too deep, with the part that has to be moved, or `where` and that nothing
 /// leads out.
 Text whyNoWayOut(FreeSpace& space, const EntityConfiguration& at, const Text& where);
+
+/// The sentence on a start that is not free.
+Failure startFailure(FreeSpace& space, const EntityConfiguration& start);
 
 }  // namespace hapticell::planning
