@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 #include "collision/queries/freeing_shift.h"
 #include "collision/queries/proximity_query.h"
@@ -61,11 +63,13 @@ std::vector<const Entity*> familyOf(const PreparedScene& scene, const Entity& en
   return family;
 }
 
-std::optional<PlacedPart> placedPart(const PreparedScene& scene, const std::string& entity, const std::string& part) {
-  const auto named = [](const std::string& name) { return [&name](const auto& one) { return one.name == name; }; };
-  const auto found = std::find_if(scene.entities().begin(), scene.entities().end(), named(entity));
-  if (found == scene.entities().end()) return std::nullopt;
-  for (PlacedPart& one : placedParts(scene, found->id)) {
+using EntitiesByName = std::unordered_map<std::string_view, workcell::EntityId>;
+
+std::optional<PlacedPart> placedPart(const PreparedScene& scene, const EntitiesByName& ids, const std::string& entity,
+                                     const std::string& part) {
+  const auto id = ids.find(entity);
+  if (id == ids.end()) return std::nullopt;
+  for (PlacedPart& one : placedParts(scene, id->second)) {
     if (one.part->name == part) return std::move(one);
   }
   return std::nullopt;
@@ -204,7 +208,8 @@ std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i) {
   std::vector<double> joints(robot.dof());
   for (std::size_t v = 0; v < joints.size(); ++v) {
     const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[v])];
-    const double lower = std::max(joint.lower, -kFullTurn), upper = std::min(joint.upper, kFullTurn);
+    const double lower = std::isfinite(joint.lower) ? joint.lower : -kFullTurn;
+    const double upper = std::isfinite(joint.upper) ? joint.upper : kFullTurn;
     const double step = std::hypot(1.0, static_cast<double>(v + 1));  // Mostly irrational, so all are passed unevenly.
     joints[v] = lower + std::fmod((i + 1) * step, 1.0) * (upper - lower);
   }
@@ -212,13 +217,15 @@ std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i) {
 }
 
 std::vector<DeepOverlap> takeDeepOverlaps(const PreparedScene& scene, std::vector<workcell::PairRule>& touching) {
+  EntitiesByName ids;
+  for (const Entity& entity : scene.entities()) ids.emplace(entity.name, entity.id);
   std::vector<double> depths(touching.size());
   std::atomic<std::size_t> next{0};
   const auto ranges = geometry::rangesOf(touching.size(), kWorthAThread);
   geometry::inRanges(touching.size(), ranges, [&](std::size_t, std::size_t, std::size_t) {
     for (std::size_t k = next++; k < touching.size(); k = next++) {
-      const auto a = placedPart(scene, touching[k].first, touching[k].first_part);
-      const auto b = placedPart(scene, touching[k].second, touching[k].second_part);
+      const auto a = placedPart(scene, ids, touching[k].first, touching[k].first_part);
+      const auto b = placedPart(scene, ids, touching[k].second, touching[k].second_part);
       if (a && b) depths[k] = depthOf(*a, *b);
     }
   });

@@ -20,8 +20,8 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
 /// changed here; the caller may pass the rules to workcell::SetPairRules. Any thread.
 std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, double tolerance = 2e-5);
 
-/// m: parts that are deeper in each other do not merely touch. As deep as a plan may leave contacts
-/// (LeavingRule in planning/problem.h). Half: press fits and rough triangles count as overlaps; twice: some gaps of joints hide in it.
+/// m: parts that are deeper in each other do not merely touch. As deep as a plan may leave contacts (LeavingRule in
+/// planning/problem.h). Half: press fits and rough triangles count as overlaps; twice: some real collisions do not.
 inline constexpr double kTouchingDepth = 1e-3;
 
 /// A pair that overlaps by more than kTouchingDepth.
@@ -38,9 +38,9 @@ inline constexpr int kTouchPlaces = 24;
 std::vector<double> jointsAllOver(const kinematics::RobotModel& robot, int i);
 
 /// Takes from `touching`, found by touchingAtRest() in the same scene, the pairs that overlap deeply: the deepest first.
-/// Whether they shall be excluded is a question of its own, as excluding them can hide a real collision. A link that
-/// overlaps whatever its joints are (one that turns about an axis in its foot) stays in `touching`, and so does a tool that overlaps a link of its robot. Some ms for each
-/// pair that is deep. Any thread.
+/// Whether they shall be excluded is a question of its own, as excluding them can hide a real collision. In `touching`
+/// stay a link that overlaps whatever its joints are (one that turns about an axis in its foot), and a tool that
+/// overlaps a link of its robot. Some ms for each pair that is deep. Any thread.
 std::vector<DeepOverlap> takeDeepOverlaps(const PreparedScene& scene, std::vector<workcell::PairRule>& touching);
 
 }  // namespace hapticell::manipulation
