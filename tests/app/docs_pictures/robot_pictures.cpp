@@ -13,6 +13,7 @@
 #include "app/ros2/ros2_process.h"
 #include "app/studies/study_panel.h"
 #include "tests/app/docs_pictures/picture_page.h"
+#include "tests/support/ros2_domains.h"
 
 namespace hapticell::app {
 namespace {
@@ -151,7 +152,7 @@ void ros2(const PictureTask& task) {
   PicturePage page(task, Stylus::kNone);
   ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
   page.trigger("actionRos2");
-  constexpr int kDomain = 93;
+  constexpr int kDomain = test::kPicturesDomain;
   page.find<QSpinBox>("spinRos2Domain")->setValue(kDomain);
   page.find<QCheckBox>("switchRos2ThisMachine")->setChecked(true);
   const workcell::EntityId robot = page.document().findByName("robot")->id;

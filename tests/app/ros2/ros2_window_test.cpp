@@ -24,12 +24,13 @@
 #include "app/style/segmented.h"
 #include "config/configuration.h"
 #include "tests/app/pages/window_page.h"
+#include "tests/support/ros2_domains.h"
 #include "workcell/document/command.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kDomain = 91;
+constexpr int kDomain = test::kWindowDomain;
 
 class Ros2Page : public WindowPage {
  public:

@@ -24,7 +24,7 @@ import type_hashes
 CLI, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 PEER = sys.argv[3] if len(sys.argv) > 3 else None
 CELL = ROOT / "config/workcells/demo.hcell"
-DOMAIN = "87"
+DOMAIN = "87"  # Up to 98 others are taken below; those of other tests are in tests/support/ros2_domains.h.
 
 
 def peer(*words, output=subprocess.PIPE):
