@@ -4,6 +4,7 @@
 #include <QCommandLineParser>
 #include <QDebug>
 #include <QElapsedTimer>
+#include <QScreen>
 #include <QSurfaceFormat>
 #include <QThreadPool>
 #include <QTimer>
@@ -47,6 +48,7 @@ struct Options {
   QString file, screenshot, theme, configuration;
   std::optional<hapticell::app::RenderCommand> render;
   QSize size{1600, 900};
+  bool sized = false;  ///< The size was asked for.
   int delay_ms = 1500;
   QString language;
   hapticell::config::LogLevel log_level = hapticell::config::LogLevel::kInfo;
@@ -146,7 +148,7 @@ Options parse() {
     refuse(QString("--size: '%1' is not a size. Enter WIDTHxHEIGHT, each from 1 to %2 pixels.")
                .arg(parser.value("size"))
                .arg(kLargestSide));
-  if (size && size->width() >= 640 && size->height() >= 400) options.size = *size;
+  if (size && size->width() >= 640 && size->height() >= 400) options.size = *size, options.sized = true;
   if (parser.isSet("render")) {
     auto& render = options.render.emplace();
     render.input = parser.value("render");
@@ -171,6 +173,16 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
     qWarning().noquote() << hapticell::app::plainLines(hapticell::app::shownText(warning));
   if (!done) qCritical().noquote() << hapticell::app::shownText(done.error());
   return done ? 0 : 2;
+}
+
+/// Where the screen has no room for the window and its frame, the window fills it: the status line would lie below its edge.
+void showAtStart(MainWindow& window, const Options& options) {
+  constexpr QSize kFrame(4, 40);  // Pixels; a title bar of the usual desktops is lower.
+  const QSize room = window.screen()->availableSize() - kFrame;
+  window.resize(options.size);
+  if (options.sized || options.size.boundedTo(room) == options.size) return window.show();
+  window.resize(options.size.boundedTo(room));  // What it has once it is no longer maximized.
+  window.showMaximized();
 }
 
 void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
@@ -339,8 +351,7 @@ int main(int argc, char** argv) {
     window.keepLog(options.log_level, programText());
     window.guardAgainstCrash(programText());
   }
-  window.resize(options.size);
-  window.show();
+  showAtStart(window, options);
   openAtStart(window, options.file, remembers && window.userSettings().value("start/page", true).toBool());
   window.loadModules(hapticell::app::ModuleLoader::defaultFolders());
   if (options.module) window.startModule("Virtual Desktop");

@@ -183,9 +183,6 @@ void FileWork::select(const std::vector<workcell::EntityId>& parts) {
 
 void FileWork::offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions) {
   host_.messages().tell(severity, title, text, std::move(actions));
-  const bool held = host_.snapshot() && host_.snapshot()->stylus.held != 0;
-  auto* messages = host_.window().findChild<QDockWidget*>("dockMessages");
-  if (messages && !held) messages->raise();
 }
 
 void FileWork::clear() {

@@ -204,6 +204,8 @@ void MainWindow::connectScene() {
   });
   connect(&document_, &DocumentModel::opened, this, [this] { go_back_.forget(); });
   connect(&messages_, &MessageLog::told, &status_.line(), &StatusLine::show);
+  connect(&status_.line(), &StatusLine::messageClicked, this,
+          [this] { bringToFront(findChild<QDockWidget*>("dockMessages")); });
   connectSelection();
 }
 

@@ -16,6 +16,7 @@
 #include "app/ergonomics/ergonomics_docks.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/host.h"
+#include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/tabbed_docks.h"
 #include "app/mannequin/mannequin_docks.h"
@@ -53,6 +54,14 @@ void followWith(StripChart* chart, Host& host) {
   timer->start(kRestMilliseconds);
 }
 
+/// What went wrong, or waits for an answer, is to be read whole; what is being moved by hand is not to lose its panel.
+void showMessagesToRead(Host& host, QDockWidget* messages) {
+  QObject::connect(&host.messages(), &MessageLog::told, messages, [&host, messages](const Message& message) {
+    const bool held = host.snapshot() && host.snapshot()->stylus.held != 0;
+    if (!held && (message.severity == Severity::kProblem || !message.actions.empty())) bringToFront(messages);
+  });
+}
+
 void addBottomDocks(Host& host) {
   auto* chart = new StripChart;
   chart->setLevels(host.configuration().manipulation.near_miss, 0.0);
@@ -74,6 +83,7 @@ void addBottomDocks(Host& host) {
   name(0);
   QObject::connect(collisions, &CollisionsPanel::alertsChanged, collisions_dock, name);
   new TabbedDocks(host.window(), docks);
+  showMessagesToRead(host, messages_dock);
   collisions_dock->raise();
   host.window().resizeDocks({docks.front()}, {272}, Qt::Vertical);
   QObject::connect(&refreshTimer(host), &QTimer::timeout, collisions, [&host, collisions] {

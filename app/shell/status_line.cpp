@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/status_line.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -32,10 +33,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
   setObjectName("statusLine");
   setAttribute(Qt::WA_OpaquePaintEvent);  // The window behind it need not be painted when a rate changes.
   message_timer_.setSingleShot(true);
-  connect(&message_timer_, &QTimer::timeout, this, [this] {
-    message_.clear();
-    update();
-  });
+  connect(&message_timer_, &QTimer::timeout, this, &StatusLine::clearMessage);
 }
 
 void StatusLine::setSentence(Mark mark, const QString& sentence) {
@@ -81,8 +79,21 @@ void StatusLine::setSound(const QString& text, bool on) {
 void StatusLine::show(const Message& message) {
   severity_ = message.severity;
   message_ = plainLines(message.text.isEmpty() ? message.title : message.title + ". " + message.text);
+  setToolTip(QStringLiteral("<qt>%1</qt>").arg(message_.toHtmlEscaped()));  // So that it is wrapped.
+  setCursor(Qt::PointingHandCursor);
   message_timer_.start(kMessageMilliseconds);
   update();
+}
+
+void StatusLine::clearMessage() {
+  message_.clear();
+  setToolTip({});
+  unsetCursor();
+  update();
+}
+
+void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
+  if (!message_.isEmpty() && rect().contains(event->position().toPoint())) emit messageClicked();
 }
 
 int StatusLine::paintRate(QPainter& painter, int right, const QString& name, double value, double full,

@@ -31,14 +31,20 @@ class StatusLine : public QStatusBar {
   bool deviceWorks() const { return device_works_; }
   const Rates& rates() const { return rates_; }
   void setSound(const QString& text, bool on);
+  /// The message in one line, cut to its room, for a few seconds; whole in the tooltip. A click emits messageClicked().
   void show(const Message& message);
   QString sentence() const { return sentence_; }
   QSize sizeHint() const override { return {400, 26}; }
 
+ signals:
+  void messageClicked();
+
  protected:
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void clearMessage();
   void paintSentence(QPainter& painter, const QRect& rect) const;
   int paintRate(QPainter& painter, int right, const QString& name, double value, double full, bool idle = false) const;
   Mark mark_ = Mark::kNone;

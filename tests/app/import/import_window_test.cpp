@@ -2,6 +2,7 @@
 // Importing, opening and reading again through the whole window: nothing is read in its thread.
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMessageBox>
@@ -12,6 +13,7 @@
 
 #include <iostream>
 
+#include "app/kit/dock_front.h"
 #include "app/panels/tree/tree_edits.h"
 #include "geometry/shapes/shapes.h"
 #include "tests/app/pages/import_page.h"
@@ -44,6 +46,26 @@ QString writeStepName(const QTemporaryDir& folder, const char* name) {
   EXPECT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("ISO-10303-21;\n");
   return file.fileName();
+}
+
+TEST(ImportWindow, WhyAFileWasRefusedIsInFrontAndAgainByAClickOnTheStatusLine) {
+  QTemporaryDir folder;
+  ImportPage page;
+  auto* messages = page.window().findChild<QDockWidget*>("dockMessages");
+  bringToFront(page.window().findChild<QDockWidget*>("dockCollisions"));
+  WindowPage::settle();
+  ASSERT_FALSE(isInFront(*messages));
+  page.window().importFiles({writeStepName(folder, "cut.step")});
+  EXPECT_TRUE(WindowPage::until([&] { return isInFront(*messages); }, 60000));
+  EXPECT_NE(page.told("cut.step was not added"), nullptr);
+  bringToFront(page.window().findChild<QDockWidget*>("dockCollisions"));
+  WindowPage::settle();
+  ASSERT_FALSE(isInFront(*messages));
+  auto* line = page.window().findChild<QWidget*>("statusLine");
+  EXPECT_TRUE(line->toolTip().contains("cut.step was not added")) << line->toolTip().toStdString();
+  QTest::mouseClick(line, Qt::LeftButton, {}, {60, 12});
+  WindowPage::settle();
+  EXPECT_TRUE(isInFront(*messages));
 }
 
 TEST(ImportWindow, AFileWithoutUnitIsGuessedFromItsSizeAndSaysSo) {

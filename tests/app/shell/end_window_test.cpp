@@ -5,7 +5,11 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QGuiApplication>
 #include <QProcess>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <csignal>
@@ -105,24 +109,52 @@ TEST(EndOfTheWindow, EndNowKeepsTheTakeAndACopyOfWhatIsNotSaved) {
   page.window().files().autosaver().discard();
 }
 
+/// Starts the program with settings of its own in `folder`.
+void startProgram(QProcess& program, const QTemporaryDir& folder, const QStringList& words) {
+  QFile settings(folder.filePath("test.toml"));
+  ASSERT_TRUE(settings.open(QIODevice::WriteOnly));
+  settings.write(QByteArray("[server]\nport = ") + QByteArray::number(freePort()) + "\n");
+  settings.close();
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) environment.insert(name, folder.path());
+  program.setProcessEnvironment(environment);
+  program.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell"),
+                QStringList{"--config", settings.fileName()} + words);
+  ASSERT_TRUE(program.waitForStarted(30000));
+}
+
+/// The first start on a screen lower than the window's usual size: its last line would lie below the edge.
+TEST(FirstStart, HasRoomOnTheScreenForTheWindowAndItsFrame) {
+  if (QStandardPaths::findExecutable("xdotool").isEmpty()) GTEST_SKIP() << "xdotool is not installed";
+  const QTemporaryDir folder;
+  QProcess program;
+  startProgram(program, folder, {"--no-module"});
+  const QSize screen = QGuiApplication::primaryScreen()->size();
+  ASSERT_LE(screen.height(), 900);
+  QSize size;
+  const auto measured = [&] {
+    QProcess look;
+    look.start("xdotool", {"search", "--onlyvisible", "--pid", QString::number(program.processId()), "--name", "HaptiCell",
+                           "getwindowgeometry"});
+    look.waitForFinished(30000);
+    const auto found = QRegularExpression("Geometry: (\\d+)x(\\d+)").match(QString::fromUtf8(look.readAllStandardOutput()));
+    if (found.hasMatch()) size = {found.captured(1).toInt(), found.captured(2).toInt()};
+    return found.hasMatch();
+  };
+  EXPECT_TRUE(WindowPage::until(measured, 60000));
+  EXPECT_LE(size.width(), screen.width());
+  EXPECT_LE(size.height(), screen.height() - 40) << "no room for a title bar";
+  program.terminate();
+  EXPECT_TRUE(WindowPage::until([&] { return program.state() == QProcess::NotRunning; }, 60000));
+}
+
 class EndedProgram : public testing::TestWithParam<int> {};
 
 TEST_P(EndedProgram, LeavesNoServerWhicheverWayItEnds) {
   if (!QFile::exists("/proc/self/task")) GTEST_SKIP() << "no list of processes here";
   const QTemporaryDir folder;
-  QFile settings(folder.filePath("test.toml"));
-  ASSERT_TRUE(settings.open(QIODevice::WriteOnly));
-  settings.write(QByteArray("[server]\nport = ") + QByteArray::number(freePort()) + "\n");
-  settings.close();
   QProcess program;
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert("XDG_CONFIG_HOME", folder.path());
-  environment.insert("XDG_DATA_HOME", folder.path());
-  environment.insert("XDG_CACHE_HOME", folder.path());
-  program.setProcessEnvironment(environment);
-  program.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell"),
-                {"--config", settings.fileName(), "--size", "640x400"});
-  ASSERT_TRUE(program.waitForStarted(30000));
+  startProgram(program, folder, {"--size", "640x400"});
   QByteArrayList children;
   ASSERT_TRUE(WindowPage::until(
       [&] {
