@@ -3,8 +3,7 @@
 
 namespace hapticell::app {
 
-QImage RobotPicture::draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme,
-                          double nearer) {
+QImage RobotPicture::draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme) {
   if (!tried_) {
     tried_ = true;
     if (auto made = PictureRenderer::make()) renderer_.emplace(std::move(*made));
@@ -16,8 +15,7 @@ QImage RobotPicture::draw(std::vector<workcell::Entity> entities, const QSize& s
   Camera camera;
   camera.azimuth = 0.7;
   camera.elevation = 0.3;
-  camera = camera.fitted(scene.bounds_W(), view);
-  camera.zoom(1.0 / nearer, camera.target_W);
+  camera = camera.fitted(scene.corners_W(), view);
   constexpr int kSamples = 4;  // Enough for a small picture.
   return renderer_->draw(scene, camera, size, theme, {.edges = true, .floor = false, .samples = kSamples});
 }

@@ -13,8 +13,7 @@ class RobotPicture {
  public:
   /// Draws these entities alone, seen from above, front right. `size` in device pixels. Returns a null image without
   /// OpenGL 3.3.
-  /// `nearer`: zoom, where 1 just fits a ball around everything; wide pictures of an arm allow more than 1.
-  QImage draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme, double nearer = 1.0);
+  QImage draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme);
 
  private:
   std::optional<PictureRenderer> renderer_;

@@ -36,7 +36,8 @@ struct Message {
   QString text;
   QDateTime when;
   std::vector<MessageAction> actions = {};
-  std::vector<MessageLine> lines = {};  ///< If not empty, panels list these instead of `text`.
+  /// If not empty, panels list these instead of `text`, unless it is one that equals `text` and does not act.
+  std::vector<MessageLine> lines = {};
   QString english = {};                 ///< `text` in English, for the log file; empty: there is only the shown text.
 };
 

@@ -13,7 +13,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kHeight = 120;
-constexpr double kNearer = 1.5;
 // ms after a change until it is drawn again. Half: drawn while one drags; twice: it lags.
 constexpr int kLaterMilliseconds = 250;
 
@@ -55,7 +54,7 @@ void RobotThumbnail::draw() {
   alone.visible = true;
   const double scale = devicePixelRatioF();
   joints_ = robot->joints();
-  picture_ = painter_.draw({std::move(alone)}, (QSizeF(size()) * scale).toSize(), themeOf(palette()), kNearer);
+  picture_ = painter_.draw({std::move(alone)}, (QSizeF(size()) * scale).toSize(), themeOf(palette()));
   picture_.setDevicePixelRatio(scale);
   update();
 }

@@ -90,6 +90,15 @@ Expected<Entity> loadFrame(const std::string& what) {
   return makeFrame("frame", {});
 }
 
+/// Triangles of a solid, or of all visual shapes of a robot.
+std::size_t shownTriangles(const Entity& entity) {
+  std::size_t count = entity.mesh() ? entity.mesh()->triangles.size() : 0;
+  if (!entity.robot()) return count;
+  for (const kinematics::Link& link : entity.robot()->links)
+    for (const kinematics::LinkShape& shape : link.visuals) count += shape.mesh ? shape.mesh->triangles.size() : 0;
+  return count;
+}
+
 }  // namespace
 
 Entity makeFrame(std::string name, const Pose& X_WE) {
@@ -177,7 +186,7 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   if (format) result.report.format = formatName(*format);
   result.report.parts = 1;
   result.report.arguments = declared_;
-  if (entity->mesh()) result.report.triangles = entity->mesh()->triangles.size();
+  result.report.triangles = shownTriangles(*entity);
   result.entities.push_back(std::move(*entity));
   return result;
 }

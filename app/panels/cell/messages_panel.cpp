@@ -84,7 +84,8 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
   title->setWordWrap(true);
   title->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words->addWidget(title);
-  if (!message.lines.empty()) {
+  const bool whole = message.lines.size() == 1 && !message.lines[0].act && message.lines[0].text == message.text;
+  if (!message.lines.empty() && !whole) {
     words->addWidget(makeLineList(message.lines));
   } else if (!message.text.isEmpty()) {
     auto* text = makeLabel(plainLines(message.text, kMostLines), TextRole::kSecond, true);

@@ -9,10 +9,12 @@
 #include <cmath>
 
 #include "app/controls/pose_text.h"
+#include "app/controls/robot_picture.h"
 #include "app/host/hold_choice.h"
 #include "app/robot/configuration_model.h"
 #include "app/style/proxy_style.h"
 #include "app/style/segmented.h"
+#include "app/style/theme.h"
 #include "geometry/shapes/shapes.h"
 #include "tests/app/pages/robot_page.h"
 #include "workcell/entity/named_poses.h"
@@ -33,6 +35,32 @@ ConfigurationModel* checkedList(RobotPage& page, int rows) {
   };
   EXPECT_TRUE(RobotPage::until(done, RobotPage::kPatience));
   return model;
+}
+
+/// Beside a picture of nothing: what differs are the robots' pixels.
+TEST(RobotPicture, ShowsTheWholeRobot) {
+  RobotPage page;  // For its OpenGL.
+  const Theme& theme = themeOf(page.window().palette());
+  RobotPicture painter;
+  for (const QSize size : {QSize(300, 120), QSize(120, 240)}) {
+    const QImage empty = painter.draw({}, size, theme);
+    for (const char* name : {"ur5e", "kuka_kr16_2"}) {
+      Diagnostics notes;
+      auto robot = workcell::EntityLoader({}).load(std::string("library:") + name, 0.0, notes);
+      ASSERT_TRUE(robot);
+      const QImage picture = painter.draw({std::move(*robot)}, size, theme);
+      int inside = 0, at_rim = 0;
+      for (int y = 0; y < size.height(); ++y) {
+        for (int x = 0; x < size.width(); ++x) {
+          if (picture.pixel(x, y) == empty.pixel(x, y)) continue;
+          const bool rim = x < 2 || y < 2 || x >= size.width() - 2 || y >= size.height() - 2;
+          ++(rim ? at_rim : inside);
+        }
+      }
+      EXPECT_EQ(at_rim, 0) << name << " is cut at the edge";
+      EXPECT_GT(inside, size.width() * size.height() / 20) << name << " is small";
+    }
+  }
 }
 
 /// Zero is the stretched arm, with a straight wrist.

@@ -44,6 +44,22 @@ TEST(RobotToml, ReadsLengthsInItsUnitAndAnglesInDegrees) {
   EXPECT_FALSE(robot->model.links[2].visuals.empty()) << "a body is made";
 }
 
+/// Two boxes of twelve triangles each; what is only for collision checks is not counted.
+TEST(RobotFiles, AnImportReportsTheTrianglesThatAreShown) {
+  const hapticell::test::TemporaryFolder folder;
+  const std::string box = "<geometry><box size='0.1 0.1 0.4'/></geometry>";
+  const std::string shown = "<visual>" + box + "</visual>";
+  const std::filesystem::path file =
+      folder.write("arm.urdf", "<robot name='arm'><link name='foot'>" + shown + "<collision>" + box + "</collision></link><link name='boom'>" + shown +
+                                   "</link><joint name='j' type='revolute'><parent link='foot'/><child link='boom'/><axis xyz='0 0 1'/>"
+                                   "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>");
+  Diagnostics notes;
+  const auto read = EntityLoader(folder.path()).loadTree(file.string(), {}, notes);
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->report.parts, 1u);
+  EXPECT_EQ(read->report.triangles, 24u);
+}
+
 TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
   struct Fault {
     std::string text;
