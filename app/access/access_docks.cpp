@@ -28,6 +28,7 @@ void addAccessDocks(Host& host) {
   dock->setWindowIcon(icon("export"));
   host.addDock(dock, Qt::RightDockWidgetArea);
   dock->hide();
+  markAsTask(dock);
   QObject::connect(dock->toggleViewAction(), &QAction::toggled, panel, &AccessPanel::setShown);
   QAction* action = makeAction(&host.window(), {"actionAccess", QObject::tr("Access for maintenance"), {}, {}, {}});
   host.window().addAction(action);

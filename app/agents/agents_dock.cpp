@@ -24,6 +24,7 @@ void addAgentsDock(Host& host) {
   dock->setWindowIcon(icon("hands"));
   host.addDock(dock, Qt::RightDockWidgetArea);
   dock->hide();
+  markAsTask(dock);
   // Hidden, not only behind another tab: the run and what it draws in the scene go with it.
   QObject::connect(dock->toggleViewAction(), &QAction::toggled, panel, [panel](bool shown) {
     if (!shown) panel->stop();

@@ -53,6 +53,7 @@ class ErgonomicsDocks : public QObject {
                     Qt::BottomDockWidgetArea);
     auto* search = new WorkplacePanel(context_, scores_);
     workplace_ = addDock("dockWorkplace", tr("Workplace search"), scrolledPanel(search, 332), Qt::RightDockWidgetArea);
+    for (QDockWidget* dock : {dock_, task_, report_, workplace_}) markAsTask(dock);
     connect(search, &WorkplacePanel::findingChanged, this,
             [this, search] { report_panel_->setWorkplace(search->finding()); });
     connect(panel_, &ErgonomicsPanel::taskWanted, this, [this] { bringToFront(task_); });

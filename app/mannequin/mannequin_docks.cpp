@@ -54,7 +54,7 @@ class MannequinDocks : public QObject {
     connect(panel_, &MannequinPanel::addWanted, this, [this] { add({}); });
     connect(&host.selection(), &Selection::changed, this, [this](workcell::EntityId entity) {
       const bool ours = context_.entity() && context_.entity()->id == entity;
-      if (ours && !showsOfIt()) bringToFront();
+      if (ours && !isStylusInUse(host_)) bringForSelection(dock_);
       gizmo_.setOn(ours);
     });
     addMenu();
@@ -120,7 +120,7 @@ class MannequinDocks : public QObject {
           if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
           if (const auto* entity = host_.documentModel().document().findByName(name)) {
             host_.selection().set(entity->id);
-            if (!showsOfIt()) bringToFront();
+            if (!isStylusInUse(host_)) bringForSelection(dock_);
           }
         });
   }
@@ -134,13 +134,6 @@ class MannequinDocks : public QObject {
     place.p = {0.5 * (bounds.min.x + bounds.max.x), bounds.min.y - kAway, 0.0};
     place.q = dquat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5));  // Faces +Y.
     return place;
-  }
-
-  /// Whether another panel about the figure lies in front: then that is what the user works with.
-  bool showsOfIt() const {
-    for (const char* name : {"dockErgonomics", "dockWorkTask", "dockReport", "dockWorkplace"})
-      if (const auto* dock = host_.window().findChild<QDockWidget*>(name); dock && isInFront(*dock)) return true;
-    return false;
   }
 
   void bringToFront() {

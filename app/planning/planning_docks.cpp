@@ -21,6 +21,7 @@ void addPlanningDocks(Host& host) {
   QDockWidget* dock = makeDock("dockPlan", PlanPanel::tr("Plan a path"), scrolledPanel(new PlanPanel(host)));
   host.addDock(dock, Qt::RightDockWidgetArea);
   dock->hide();
+  markAsTask(dock);
   QAction* action = makeAction(&host.window(), {"actionPlanPath", PlanPanel::tr("Plan a path…"), {}, {}, {}});
   topMenu(host.window(), "menuRobot", QObject::tr("Robot"))->addAction(action);
   QObject::connect(action, &QAction::triggered, dock, [dock] {

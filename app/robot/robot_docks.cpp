@@ -53,7 +53,8 @@ class RobotDocks : public QObject {
       worker_.warmUp();
     });
     connect(&host.selection(), &Selection::changed, this, [this](workcell::EntityId entity) {
-      if (context_.robot() && context_.robot()->id == entity) bringToFront(dock_);
+      const bool ours = context_.robot() && context_.robot()->id == entity;
+      if (ours && !isStylusInUse(host_)) bringForSelection(dock_);
     });
     if (auto* add = host.window().findChild<QAction*>("actionAddRobot"))
       connect(add, &QAction::triggered, this, [this] { openLibrary(); });
@@ -90,7 +91,10 @@ class RobotDocks : public QObject {
   }
 
   void openTools() {
-    if (!tools_dock_) tools_dock_ = addDock("dockTools", tr("Tools"), new ToolsPanel(context_));
+    if (!tools_dock_) {
+      tools_dock_ = addDock("dockTools", tr("Tools"), new ToolsPanel(context_));
+      markAsTask(tools_dock_);
+    }
     bringToFront(tools_dock_);
   }
 
@@ -115,6 +119,7 @@ class RobotDocks : public QObject {
     if (!mechanism_) {
       mechanism_ = new MechanismPanel(context_);
       mechanism_dock_ = addDock("dockMechanism", tr("Mechanism joints"), mechanism_);
+      markAsTask(mechanism_dock_);
       connect(mechanism_, &MechanismPanel::made, this, [this] { bringToFront(dock_); });
     }
     mechanism_->begin();

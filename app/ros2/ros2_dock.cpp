@@ -41,6 +41,7 @@ void addRos2Dock(Host& host) {
   dock->setWindowIcon(icon("robot"));
   host.addDock(dock, Qt::RightDockWidgetArea);
   dock->hide();
+  markAsTask(dock);
   QAction* action = makeAction(&host.window(), {"actionRos2", QObject::tr("ROS 2"), {}, {}, {}});
   host.window().addAction(action);
   topMenu(host.window(), "menuApplications", QObject::tr("Applications"))->addAction(action);

@@ -40,6 +40,7 @@ class StudiesDocks : public QObject {
     results_->setMinimumSize(480, 150);
     host.addDock(results_dock_, Qt::BottomDockWidgetArea, host.window().findChild<QDockWidget*>("dockCollisions"));
     for (QDockWidget* dock : {study_dock_, results_dock_}) dock->hide();
+    markAsTask(study_dock_);
     connect(study_dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) { area_.setShown(on); });
     // Hidden, not only behind another tab: what it draws in the scene goes with it.
     connect(results_dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QListWidget>
 #include <memory>
 
+#include "app/kit/dock_front.h"
 #include "geometry/shapes/shapes.h"
 #include "tests/app/pages/plan_page.h"
 #include "workcell/import/entity_source.h"
@@ -37,6 +39,22 @@ TEST(PlanDock, APathOfARobotBecomesAMotionThatCanBeUndone) {
   EXPECT_NEAR(motion->joints(0).front(), wanted.front(), 1e-4);
   page.trigger("actionUndo");
   EXPECT_EQ(page.motions(), 0u);
+}
+
+/// One chooses in the scene what is planned for.
+TEST(PlanDock, StaysInFrontWhenARobotIsSelected) {
+  PlanPage page;
+  page.addRobot("ur5e");
+  const workcell::EntityId robot = page.window().selection().current();
+  page.openDock();
+  PlanPage::settle();
+  auto* dock = page.find<QDockWidget>("dockPlan");
+  ASSERT_TRUE(PlanPage::until([&] { return isInFront(*dock); }, PlanPage::kPatience));
+  for (const workcell::EntityId entity : {workcell::EntityId{0}, robot}) {
+    page.window().selection().set(entity);
+    PlanPage::settle();
+    EXPECT_TRUE(isInFront(*dock)) << entity;
+  }
 }
 
 TEST(PlanDock, AGoalOutOfReachIsExplained) {
