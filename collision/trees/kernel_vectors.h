@@ -55,7 +55,16 @@ template <typename V>
 HAPTICELL_INLINE V smaller(V a, V b) {
   return a < b ? a : b;
 }
+template <typename V>
+HAPTICELL_INLINE V squareRoot(V a) {
+  V root;
+  for (unsigned i = 0; i < sizeof(V) / sizeof(a[0]); ++i) root[i] = __builtin_sqrtf(a[i]);
+  return root;
+}
 #ifdef __AVX__
+HAPTICELL_INLINE Float8 squareRoot(Float8 a) {
+  return __builtin_ia32_sqrtps256(a);
+}
 // Compilers make two instructions or more of these where the processor has one.
 HAPTICELL_INLINE Float4 larger(Float4 a, Float4 b) {
   return __builtin_ia32_maxps(a, b);
