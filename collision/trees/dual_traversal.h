@@ -49,12 +49,12 @@ bool isBeyondTriangles(const LeafBlock& leaf, TraversalBox& box, float limit_squ
 /// Visits the pairs of boxes that are near each other, depth first and nearest first.
 ///
 /// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b, const
-/// LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
-/// TraversalBox& b), const float* line(bool in_a), a unit vector along which the nearest are probably apart (in A's or
-/// B's frame), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of an opened box that were
-/// left out and the least of their bounds. Where the meshes move against each other: BoxSweep sweepOf(bool opened_a,
-/// const BoxNode& opened, const TraversalBox& other), by which ProximityKernels::sweptBoxBounds decides which children
-/// are near, and float reachSquared(): what may meet is no farther than its square root in the middle of the sweep.
+/// LeafBlock&, const LeafBlock&, const LeafTransform&). Optionally bool passesOver(const TraversalBox& a, const
+/// TraversalBox& b), and const float* line(bool in_a), a unit vector along which the nearest are probably apart (in A's
+/// or B's frame). Optionally void culled(a, b, opened_a, lanes, least_squared), which gets the children of an opened box
+/// that were left out and the least of their bounds. Where the meshes move against each other: BoxSweep sweepOf(bool
+/// opened_a, const BoxNode& opened, const TraversalBox& other), by which ProximityKernels::sweptBoxBounds decides which
+/// children are near. With it float reachSquared(): what may meet is no farther than its square root in the middle.
 template <typename Visitor>
 class DualTraversal {
  public:

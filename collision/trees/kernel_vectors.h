@@ -124,5 +124,14 @@ HAPTICELL_INLINE Vector<V> loadVector(const T* x, int stride) {
   return {load<V>(x), load<V>(x + stride), load<V>(x + 2 * stride)};
 }
 
+HAPTICELL_INLINE float absolute(float x) {
+  return x < 0.0f ? -x : x;
+}
+
+template <typename V>
+HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
 }  // namespace
 }  // namespace hapticell::collision

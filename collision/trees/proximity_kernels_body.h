@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 Included once by each of proximity_kernels_*.cpp, which are compiled for
 // different instruction sets. Uses vector extensions of g++ and clang, no library: if an inline function of a library
 // were compiled here for a new processor, the linker might use that copy everywhere.
+#include "collision/trees/kernel_sweeps.h"
 #include "collision/trees/kernel_triangles.h"
 #include "collision/trees/kernel_vectors.h"
 #include "collision/trees/proximity_kernels.h"
@@ -11,34 +12,6 @@ namespace {
 /// Rounding in float, relative to the numbers added: 25 units of 6e-8, for a dozen sums. Half: a near pair may be
 /// missed (DistanceOracle); twice: more pairs measured in double.
 constexpr float kRoundingOfSums = 1.5e-6f;
-
-HAPTICELL_INLINE float absolute(float x) {
-  return x < 0.0f ? -x : x;
-}
-
-template <typename V>
-HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
-  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
-}
-
-/// The gap perpendicular to a sweep: in that direction the sweep adds nothing.
-template <typename V>
-HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
-                               const Vector<V>& sweep, V doubt) {
-  const V square = dot(sweep, sweep);
-  const V along = square > V{} ? dot(apart, sweep) / square : V{};
-  const Vector<V> beside = apart - along * sweep;
-  V reach = doubt * sumOfMagnitudes(beside);
-  reach += magnitude(dot(beside, sweep));  // It is square to the sweep only up to rounding.
-  for (int k = 0; k < 3; ++k) reach += halves[k] * magnitude(dot(axes[k], beside));
-  for (int i = 0; i < 3; ++i) {
-    const float* q = query.axis[i];
-    reach += query.half[i] * magnitude(beside.x * q[0] + beside.y * q[1] + beside.z * q[2]);
-  }
-  const V length_squared = dot(beside, beside);
-  const V open = larger(magnitude(dot(beside, apart)) - reach, V{});
-  return length_squared > V{} ? open * open / length_squared : V{};
-}
 
 using Mask8 = std::int32_t __attribute__((vector_size(32)));
 HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
@@ -65,27 +38,6 @@ HAPTICELL_INLINE V alongLine(const Vector<V>* axes, const V* halves, const Vecto
   for (int k = 0; k < 3; ++k) taken += halves[k] * magnitude(axes[k].x * n[0] + axes[k].y * n[1] + axes[k].z * n[2]);
   const V open = larger(magnitude(apart.x * n[0] + apart.y * n[1] + apart.z * n[2]) - taken, V{});
   return open * open;
-}
-
-/// What a child sees the query box move by, and how near it counts.
-template <typename V>
-struct ChildSweep {
-  Vector<V> sweep{};
-  V limit_squared{};
-  V rounding{};  ///< Magnitudes that its rounding goes with.
-};
-
-template <typename V>
-HAPTICELL_INLINE ChildSweep<V> childSweep(const Vector<V>& middle, const Vector<V>& half, const BoxSweep& of) {
-  const Vector<V> turn{all<V>(of.turn[0]), all<V>(of.turn[1]), all<V>(of.turn[2])};
-  const Vector<V> turned = cross(turn, middle);
-  ChildSweep<V> child;
-  child.sweep = {turned.x + of.at[0], turned.y + of.at[1], turned.z + of.at[2]};
-  child.rounding =
-      (absolute(of.at[0]) + absolute(of.at[1]) + absolute(of.at[2])) + 2.0f * of.turn_size * sumOfMagnitudes(middle);
-  const V limit = of.margin + of.turn_size * squareRoot(dot(half, half));
-  child.limit_squared = 1.000001f * limit * limit;
-  return child;
 }
 
 /// With kSwept the query box is somewhere between its place less the child's sweep and its place plus it. With kLine
