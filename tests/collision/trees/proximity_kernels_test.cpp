@@ -9,6 +9,7 @@
 #include <random>
 
 #include "collision/trees/box_tree.h"
+#include "collision/trees/kernel_sweeps.h"
 #include "collision/trees/kernel_triangles.h"
 #include "collision/trees/triangle_distance.h"
 #include "tests/collision/queries/meshes.h"
@@ -232,6 +233,16 @@ TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
       EXPECT_TRUE(is_on_the_limit || ((met >> lane & 1u) != 0) == (bound < near));
     }
   }
+}
+
+TEST(KernelSweeps, AChildSeesTheSweepOfItsOwnMiddle) {
+  const BoxSweep sweep{{0.1f, 0.2f, 0.3f}, {0.0f, 0.0f, 0.5f}, 0.01f, 0.5f};
+  const auto child = childSweep<Float4>({all<Float4>(2.0f), all<Float4>(0.0f), all<Float4>(0.0f)},
+                                        {all<Float4>(0.03f), all<Float4>(0.04f), all<Float4>(0.0f)}, sweep);
+  EXPECT_NEAR(child.sweep.x[0], 0.1, 1e-6);
+  EXPECT_NEAR(child.sweep.y[1], 1.2, 1e-6) << "0.2 and 0.5 rad at 2 m";
+  EXPECT_NEAR(child.sweep.z[2], 0.3, 1e-6);
+  EXPECT_NEAR(std::sqrt(child.limit_squared[3]), 0.01 + 0.5 * 0.05, 1e-6);
 }
 
 TEST_P(ProximityKernels, LeavesAreBeyondABoxOnlyWhereAllTrianglesAre) {
