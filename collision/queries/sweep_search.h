@@ -17,12 +17,10 @@ namespace hapticell::collision {
 /// DualTraversal. One object per query, on the stack; does not allocate.
 class SweepSearch {
  public:
-  /// The parts' sweeps, in the world; what `margin` (m) is; the number of boxes that are opened at most: then they may
-  /// meet.
   struct Demand {
     PartSweep a, b;
-    double margin = 0.0;
-    int effort = std::numeric_limits<int>::max();
+    double margin = 0.0;                           ///< m
+    int effort = std::numeric_limits<int>::max();  ///< Boxes that are opened at most; then they may meet.
   };
 
   SweepSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_WA, const Pose& X_WB, const Demand& demand);
