@@ -12,6 +12,14 @@ double turnBound(const Pose& X_WB0, const Pose& X_WB1, double radius) {
   return 2.0 * radius * std::min(1.0, glm::length(dvec3(turn.x, turn.y, turn.z)));
 }
 
+Turn turnOf(const Pose& X_WB0, const Pose& X_WB1) {
+  const dquat turn = X_WB1.q * glm::conjugate(X_WB0.q);
+  const dvec3 v(turn.x, turn.y, turn.z);  // The sine of half of the angle, along the axis.
+  const double square = glm::dot(v, v);
+  // A rotation is 1 + sin [n]x + (1 - cos) [n]x^2.
+  return {2.0 * turn.w * v, 2.0 * square, 2.0 * std::min(1.0, std::sqrt(square))};
+}
+
 double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
   return glm::distance(X_WB0 * p_BS, X_WB1 * p_BS) + turnBound(X_WB0, X_WB1, radius);
 }

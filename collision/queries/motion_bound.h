@@ -13,6 +13,14 @@ double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, doub
 /// Only the rotation's part of that bound, m: the chord of the rotation at the radius.
 double turnBound(const Pose& X_WB0, const Pose& X_WB1, double radius);
 
+/// A rotation from X_WB0 to X_WB1: what a point of the body at r from the middle (in the world) goes is w_W x r, and
+/// besides at most `bent` times the length of r; in all at most `chord` times it.
+struct Turn {
+  dvec3 w_W{0.0};
+  double bent = 0.0, chord = 0.0;
+};
+Turn turnOf(const Pose& X_WB0, const Pose& X_WB1);
+
 /// The body of a pair whose sphere bounds the relative motion. The smaller body is taken, so that a rotation of a small
 /// part inside a large one counts with the small radius.
 struct MotionLever {

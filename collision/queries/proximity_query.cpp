@@ -223,10 +223,9 @@ bool ProximityQuery::within(const Pose& X_WA, const Pose& X_WB, double margin) {
   return isContained(X_AB, demand.enough);
 }
 
-bool ProximityQuery::mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sweep_W, double margin, int effort) {
+bool ProximityQuery::mayMeet(const SweptPose& a, const SweptPose& b, double margin, int effort) {
   if (a_->isEmpty() || b_->isEmpty()) return false;
-  const Pose X_AB = X_WA.inverse() * X_WB;
-  SweepSearch search(*a_, *b_, X_AB, {X_WA.inverse().rotate(sweep_W), margin, effort});
+  SweepSearch search(*a_, *b_, a.X_WP, b.X_WP, {a.sweep, b.sweep, margin, effort});
   return search.run(last_, last_was_near_);
 }
 

@@ -7,6 +7,7 @@
 
 #include "collision/queries/distance_result.h"
 #include "collision/queries/near_pairs.h"
+#include "collision/queries/part_sweep.h"
 #include "collision/queries/step_pairs.h"
 #include "collision/queries/triangle_pairs.h"
 #include "collision/trees/mesh_collider.h"
@@ -44,11 +45,10 @@ class ProximityQuery {
   /// Whether the distance is `margin` (m) or less; ends at the first pair of triangles that is near enough.
   bool within(const Pose& X_WA, const Pose& X_WB, double margin);
 
-  /// Whether the surfaces may come as near as `margin` (m) while A moves by any share from -1 to 1 of `sweep_W` (m)
-  /// from here, and B not. False is proven. True is also returned where they may only come within the margin plus the
-  /// sweep's length. Does not detect that one is inside the other.
-  bool mayMeet(const Pose& X_WA, const Pose& X_WB, const dvec3& sweep_W, double margin,
-               int effort = std::numeric_limits<int>::max());
+  /// Whether the surfaces may come as near as `margin` (m) while both move by their sweeps. False is proven. True is
+  /// also returned where they may only come within the margin plus what the sweeps move them against each other. Does
+  /// not detect that one is inside the other.
+  bool mayMeet(const SweptPose& a, const SweptPose& b, double margin, int effort = std::numeric_limits<int>::max());
 
   const MeshCollider& a() const { return *a_; }
   const MeshCollider& b() const { return *b_; }

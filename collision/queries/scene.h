@@ -150,11 +150,11 @@ class Scene {
     double middle() const { return 0.5 * (from + to); }
     bool isKept() const { return node > 0 && node < kStations; }
   };
-  /// Where any point of a part is on a stretch: where it is in its middle, moved by some share from -1 to 1 of d_W, and
-  /// by as much again in any direction as `rest` (m).
+  /// Where any point of a part is on a stretch: where it is in its middle, moved by some share from -1 to 1 of
+  /// sweep.d_W, and by as much again in any direction as `rest` (m). With the sweep's turn what is left is `bent` (m).
   struct Spread {
-    dvec3 d_W{0.0};
-    double rest = 0.0;
+    PartSweep sweep;
+    double rest = 0.0, bent = 0.0;
   };
   /// A part of advance(). Its 4 KB are used again by the next motion.
   struct Swept {
@@ -191,10 +191,11 @@ class Scene {
   struct Unproven {
     Stretch stretch;
     PairIndex pair;
-    double way;           ///< m: bound of both paths on the whole motion.
-    dvec3 sweep_W{0.0};   ///< From the stretch's middle the two move against each other by a share from -1 to 1 of it
-    double margin = 0.0;  ///< and are too near within this (m).
+    double way;  ///< m: bound of both paths on the whole motion.
+    Spread of_moved{}, of_environment{};
+    double margin = 0.0;  ///< m: without their turns they are too near within this.
     double length() const { return way * (stretch.to - stretch.from); }
+    dvec3 sweep_W() const { return of_moved.sweep.d_W - of_environment.sweep.d_W; }
   };
 
   static geometry::Bounds sweptBox(const Swept& swept);

@@ -62,7 +62,7 @@ struct Cut {
 geometry::Bounds Scene::sweptBox(const Swept& swept) {
   const geometry::Bounds box = swept.stations[kWhole].at.box_W();
   const Spread& spread = swept.spread[kWhole];
-  const dvec3 beside = glm::abs(spread.d_W) + spread.rest;
+  const dvec3 beside = glm::abs(spread.sweep.d_W) + spread.rest;
   return {box.min - beside, box.max + beside};
 }
 
@@ -74,7 +74,7 @@ void Scene::addMotionPair(Swept& swept, PartIndex other, double clearance, bool 
   const PlacedBounds &at = swept.stations[kWhole].at,
                      &other_at = met == nullptr ? boundsOf(other) : met->stations[kWhole].at;
   const Spread still{}, &spread = swept.spread[kWhole], &other_spread = met == nullptr ? still : met->spread[kWhole];
-  const dvec3 sweep_W = spread.d_W - other_spread.d_W;
+  const dvec3 sweep_W = spread.sweep.d_W - other_spread.sweep.d_W;
   const double margin = spread.rest + other_spread.rest + clearance;
   if (sweptSphereGap(at, other_at, sweep_W) > margin) return;
   const PairIndex index = pairs_.find(swept.part, other);
@@ -158,7 +158,7 @@ Scene::Spread Scene::spreadOf(const Mover& mover, const Stretch& stretch, const 
   if ((swept.known_spreads & bit) != 0) return swept.spread[stretch.node];
   const PartMotion& motion = *swept.motion;
   const double half = 0.5 * (stretch.to - stretch.from);
-  Spread spread{dvec3(0.0), motion.path_bound * half};
+  Spread spread{{}, motion.path_bound * half, motion.path_bound * half};
   const double beside = motion.bend_bound * half * half / 8.0;
   if (beside < spread.rest) {
     const MeshCollider& mesh = *parts_[mover.part].collider;
@@ -174,10 +174,15 @@ Scene::Spread Scene::spreadOf(const Mover& mover, const Stretch& stretch, const 
     }
     const dvec3& center_W = middle.at.center_W;
     const dvec3 back = X_WFrom * mesh.center() - center_W, ahead = X_WTo * mesh.center() - center_W;
-    const double turn = std::max(turnBound(X_WFrom, middle.X_WP, mesh.radius()),
-                                 turnBound(X_WTo, middle.X_WP, mesh.radius()));
-    const double rest = 0.5 * glm::length(ahead + back) + turn + beside;
-    if (rest < spread.rest) spread = {0.5 * (ahead - back), rest};
+    const Turn turn_back = turnOf(middle.X_WP, X_WFrom), turn_ahead = turnOf(middle.X_WP, X_WTo);
+    const double bent = 0.5 * glm::length(ahead + back) + beside;
+    const double rest = bent + mesh.radius() * std::max(turn_back.chord, turn_ahead.chord);
+    if (rest < spread.rest) {
+      spread.sweep = {0.5 * (ahead - back), 0.5 * (turn_ahead.w_W - turn_back.w_W)};
+      spread.rest = rest;
+      spread.bent = bent + mesh.radius() * (0.5 * glm::length(turn_ahead.w_W + turn_back.w_W) +
+                                            std::max(turn_back.bent, turn_ahead.bent));
+    }
   }
   if (bit != 0) {
     swept.spread[stretch.node] = spread;
@@ -212,14 +217,15 @@ MotionStop Scene::follow(ProximityQuery& query, const Mover& moved, const Mover&
     const Place a = placeOf(moved, node, middle, scratch_a), b = placeOf(met, node, middle, scratch_b);
     const Stretch stretch{piece.from, piece.to, node};
     const Spread of_a = spreadOf(moved, stretch, a), of_b = spreadOf(met, stretch, b);
-    const dvec3 sweep_W = of_a.d_W - of_b.d_W;
+    const dvec3 sweep_W = of_a.sweep.d_W - of_b.sweep.d_W;
     const double margin = least + of_a.rest + of_b.rest + kRounding;
     if (sweptSphereGap(a.at, b.at, sweep_W) > margin) continue;
     if (sweptBoxGap(a.at, b.at, sweep_W) > margin) continue;
     const bool is_long = 2.0 * (margin + glm::length(sweep_W)) > kShortStretch && piece.node < kLastNode;
     // Of a long stretch each half is soon looked at, with less to look for: the whole is not worth much.
     const int effort = !is_long || piece.node > kSoonHalved ? kAnyEffort : kEffortBeforeHalving;
-    if (piece.node > kWhole && !query.mayMeet(a.X_WP, b.X_WP, sweep_W, margin, effort)) continue;
+    const double bent = least + of_a.bent + of_b.bent + kRounding;
+    if (piece.node > kWhole && !query.mayMeet({a.X_WP, of_a.sweep}, {b.X_WP, of_b.sweep}, bent, effort)) continue;
     if (is_long) {
       open[count++] = {middle, piece.to, 2 * piece.node + 1};
       open[count++] = {piece.from, middle, 2 * piece.node};
@@ -300,9 +306,8 @@ std::optional<PairIndex> Scene::listUnproven(std::span<const double> clearance) 
     const double least = leastOf(pair, clearance), way = a.pathBound() + b.pathBound();
     if (way == 0.0 || candidate.lower_bound > way + least) continue;
     // One inside the other is seen here only: on its way out its surface would come near.
-    if (candidate.lower_bound <= least && queryOf(pair).within(a.at(0.0), b.at(0.0), least))
-      return candidate.pair;
-    unproven_.push_back({{0.0, 1.0, kWhole}, candidate.pair, way, {}, 0.0});
+    if (candidate.lower_bound <= least && queryOf(pair).within(a.at(0.0), b.at(0.0), least)) return candidate.pair;
+    unproven_.push_back({{0.0, 1.0, kWhole}, candidate.pair, way});
   }
   return std::nullopt;
 }
@@ -317,11 +322,11 @@ std::optional<PairIndex> Scene::lookAtMiddles(std::span<const double> clearance)
     const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
     const Place at_a = placeOf(a, one.stretch.node, middle, scratch_a);
     const Place at_b = placeOf(b, one.stretch.node, middle, scratch_b);
-    const Spread of_a = spreadOf(a, one.stretch, at_a), of_b = spreadOf(b, one.stretch, at_b);
-    one.sweep_W = of_a.d_W - of_b.d_W;
-    one.margin = least + of_a.rest + of_b.rest + kRounding;
-    if (sweptSphereGap(at_a.at, at_b.at, one.sweep_W) > one.margin) continue;
-    if (sweptBoxGap(at_a.at, at_b.at, one.sweep_W) > one.margin) continue;
+    one.of_moved = spreadOf(a, one.stretch, at_a);
+    one.of_environment = spreadOf(b, one.stretch, at_b);
+    one.margin = least + one.of_moved.rest + one.of_environment.rest + kRounding;
+    if (sweptSphereGap(at_a.at, at_b.at, one.sweep_W()) > one.margin) continue;
+    if (sweptBoxGap(at_a.at, at_b.at, one.sweep_W()) > one.margin) continue;
     if (isLong(one, least) && sphereGap(at_a.at, at_b.at) <= least && boxGap(at_a.at, at_b.at) <= least &&
         queryOf(pair).within(at_a.X_WP, at_b.X_WP, least))
       return one.pair;
@@ -348,14 +353,16 @@ std::optional<PairIndex> Scene::proveOrHalve(std::span<const double> clearance) 
     const double middle = one.stretch.middle(), least = leastOf(pair, clearance);
     const bool is_long = isLong(one, least);
     const double size = std::min(parts_[pair.moved].collider->radius(), parts_[pair.environment].collider->radius());
-    const double extent = 2.0 * (one.margin + glm::length(one.sweep_W));
+    const double extent = 2.0 * (one.margin + glm::length(one.sweep_W()));
     if (!is_long || extent < kProvenSize * size) {
       const Place at_a = placeOf(a, node, middle, scratch_a), at_b = placeOf(b, node, middle, scratch_b);
-      if (!queryOf(pair).mayMeet(at_a.X_WP, at_b.X_WP, one.sweep_W, one.margin)) continue;
+      const double bent = least + one.of_moved.bent + one.of_environment.bent + kRounding;
+      if (!queryOf(pair).mayMeet({at_a.X_WP, one.of_moved.sweep}, {at_b.X_WP, one.of_environment.sweep}, bent))
+        continue;
     }
     if (is_long) {
-      halves_.push_back({{from, middle, 2 * node}, one.pair, one.way, {}, 0.0});
-      halves_.push_back({{middle, to, 2 * node + 1}, one.pair, one.way, {}, 0.0});
+      halves_.push_back({{from, middle, 2 * node}, one.pair, one.way});
+      halves_.push_back({{middle, to, 2 * node + 1}, one.pair, one.way});
       continue;
     }
     const Place at_a = placeOf(a, node, middle, scratch_a), at_b = placeOf(b, node, middle, scratch_b);

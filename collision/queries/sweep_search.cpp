@@ -2,6 +2,7 @@
 #include "collision/queries/sweep_search.h"
 
 #include <bit>
+#include <cmath>
 
 namespace hapticell::collision {
 
@@ -16,25 +17,40 @@ float outward(double x) {
 
 }  // namespace
 
-SweepSearch::SweepSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const Sweep& sweep)
+SweepSearch::SweepSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_WA, const Pose& X_WB,
+                         const Demand& demand)
     : a_(a),
       b_(b),
-      R_AB_(X_AB.R()),
-      p_AB_(X_AB.p),
-      X_AB_(X_AB),
-      margin_(sweep.margin),
-      reach_(sweep.margin + glm::length(sweep.d_A)),
+      X_AB_(X_WA.inverse() * X_WB),
+      R_AB_(X_AB_.R()),
+      p_AB_(X_AB_.p),
+      turn_of_a_(glm::length(demand.a.turn_W)),
+      turn_of_b_(glm::length(demand.b.turn_W)),
+      margin_(demand.margin),
       pair_(),
-      effort_(sweep.effort) {
-  const dvec3 d_B = glm::transpose(R_AB_) * sweep.d_A;
+      effort_(demand.effort) {
+  const dmat3 R_AW = glm::transpose(X_WA.R()), R_BA = glm::transpose(R_AB_);
+  const dvec3 d_A = R_AW * (demand.a.d_W - demand.b.d_W), turn_a_A = R_AW * demand.a.turn_W,
+              turn_b_A = R_AW * demand.b.turn_W;
+  of_a_ = {d_A, turn_a_A, a.center(), turn_b_A, p_AB_ + R_AB_ * b.center()};
+  of_b_ = {-(R_BA * d_A), R_BA * turn_b_A, b.center(), R_BA * turn_a_A, R_BA * (a.center() - p_AB_)};
+  const double sweep = glm::length(d_A) + turn_of_a_ * a.radius() + turn_of_b_ * b.radius();
+  reach_squared_ = outward((margin_ + sweep) * (margin_ + sweep));
+}
+
+/// `other` is seen in the opened box's frame.
+BoxSweep SweepSearch::sweepOf(bool opened_a, const BoxNode& opened, const TraversalBox& other) const {
+  const Field& field = opened_a ? of_a_ : of_b_;
+  const double turn_of_opened = opened_a ? turn_of_a_ : turn_of_b_, turn_of_other = opened_a ? turn_of_b_ : turn_of_a_;
+  const dvec3 at = field.at({opened.origin[0], opened.origin[1], opened.origin[2]}, other.seen_center);
+  BoxSweep sweep;
   for (int i = 0; i < 3; ++i) {
-    sweep_a_[i] = static_cast<float>(sweep.d_A[i]);
-    sweep_b_[i] = static_cast<float>(d_B[i]);
+    sweep.at[i] = static_cast<float>(at[i]);
+    sweep.turn[i] = static_cast<float>(field.turn_self[i]);
   }
-  // What the sweep is off in float: below 1e-7 of the reach.
-  const double limit = sweep.margin + 1e-6 * reach_;
-  limit_squared_ = outward(limit * limit);
-  reach_squared_ = outward(reach_ * reach_);
+  sweep.margin = outward(margin_ + turn_of_other * std::sqrt(double{other.size}));
+  sweep.turn_size = outward(turn_of_opened);
+  return sweep;
 }
 
 bool SweepSearch::isNear(const TriangleIndices& pair, double reach) const {
@@ -57,11 +73,15 @@ bool SweepSearch::run(TriangleIndices& warm, bool& is_near) {
 
 /// Not by the plane of either, nor along the line between their middles, nor beside the sweep apart: where also the
 /// least distance allows it, they are said to meet.
-void SweepSearch::leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
-                           const LeafTransform& transform) {
+void SweepSearch::leafPair(const TraversalBox& a, const TraversalBox& b, const LeafBlock& leaf_a,
+                           const LeafBlock& leaf_b, const LeafTransform& transform) {
   alignas(16) float corners_b[9][kLeafSize];
+  const dvec3 sweep_A = of_a_.at(a.center, p_AB_ + R_AB_ * b.center);
+  const double turned = turn_of_a_ * std::sqrt(double{a.size}) + turn_of_b_ * std::sqrt(double{b.size});
+  const double limit = margin_ + turned, reach = limit + glm::length(sweep_A);
+  const float sweep[3] = {static_cast<float>(sweep_A.x), static_cast<float>(sweep_A.y), static_cast<float>(sweep_A.z)};
   const std::uint32_t near =
-      proximityKernels().sweptLeafPairs(leaf_a, leaf_b, transform, limit_squared_, sweep_a_, corners_b);
+      proximityKernels().sweptLeafPairs(leaf_a, leaf_b, transform, outward(limit * limit), sweep, corners_b);
   if (near == 0) return;
   PackedPairs packed;
   TriangleIndices pairs[kPackSize];
@@ -78,12 +98,13 @@ void SweepSearch::leafPair(const TraversalBox&, const TraversalBox&, const LeafB
   for (int lane = count; lane < kPackSize; ++lane) {
     for (int k = 0; k < 9; ++k) packed.first[k][lane] = packed.second[k][lane] = 0.0F;
   }
+  const float reach_squared = outward(reach * reach);
   PackedDistances distances;
   proximityKernels().packedDistances(packed, count, distances);
   for (int lane = 0; lane < count && !found_; ++lane) {
-    if (distances.squared[lane] - distances.doubt[lane] > reach_squared_) continue;
+    if (distances.squared[lane] - distances.doubt[lane] > reach_squared) continue;
     pair_ = pairs[lane];
-    found_ = isNear(pair_, reach_);
+    found_ = isNear(pair_, reach);
   }
 }
 

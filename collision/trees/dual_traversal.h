@@ -49,12 +49,12 @@ bool isBeyondTriangles(const LeafBlock& leaf, TraversalBox& box, float limit_squ
 /// Visits the pairs of boxes that are near each other, depth first and nearest first.
 ///
 /// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b, const
-/// LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
-/// TraversalBox& b), const float* line(bool in_a), a unit vector along which the nearest are probably apart (in A's or
-/// B's frame), const float* sweep(bool in_a) and float reachSquared() where the meshes move against each other
-/// (see ProximityKernels::sweptBoxBounds; nothing is nearer than the square root of reachSquared() in the middle of it
-/// that comes nearer than the limit), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of
-/// an opened box that were left out and the least of their bounds.
+/// LeafBlock&, const LeafBlock&, const LeafTransform&). Optionally bool passesOver(const TraversalBox& a, const
+/// TraversalBox& b), and const float* line(bool in_a), a unit vector along which the nearest are probably apart (in A's
+/// or B's frame). Optionally void culled(a, b, opened_a, lanes, least_squared), which gets the children of an opened box
+/// that were left out and the least of their bounds. Where the meshes move against each other: BoxSweep sweepOf(bool
+/// opened_a, const BoxNode& opened, const TraversalBox& other), by which ProximityKernels::sweptBoxBounds decides which
+/// children are near. With it float reachSquared(): what may meet is no farther than its square root in the middle.
 template <typename Visitor>
 class DualTraversal {
  public:
@@ -165,10 +165,10 @@ class DualTraversal {
     other_side.see(other);
     placeAt(other, node.origin);
     const ProximityKernels& kernels = proximityKernels();
-    const float limit = visitor_.limitSquared();
-    if constexpr (requires { visitor_.sweep(opened_a); }) {
-      return kernels.sweptBoxBounds(node, other.seen, visitor_.sweep(opened_a), limit, bounds);
+    if constexpr (requires { visitor_.sweepOf(opened_a, node, other); }) {
+      return kernels.sweptBoxBounds(node, other.seen, visitor_.sweepOf(opened_a, node, other), bounds);
     } else {
+      const float limit = visitor_.limitSquared();
       if constexpr (requires { visitor_.line(opened_a); }) {
         for (int i = 0; i < 3; ++i) other.seen.line[i] = visitor_.line(opened_a)[i];
       }

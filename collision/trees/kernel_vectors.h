@@ -55,7 +55,16 @@ template <typename V>
 HAPTICELL_INLINE V smaller(V a, V b) {
   return a < b ? a : b;
 }
+template <typename V>
+HAPTICELL_INLINE V squareRoot(V a) {
+  V root;
+  for (unsigned i = 0; i < sizeof(V) / sizeof(a[0]); ++i) root[i] = __builtin_sqrtf(a[i]);
+  return root;
+}
 #ifdef __AVX__
+HAPTICELL_INLINE Float8 squareRoot(Float8 a) {
+  return __builtin_ia32_sqrtps256(a);
+}
 // Compilers make two instructions or more of these where the processor has one.
 HAPTICELL_INLINE Float4 larger(Float4 a, Float4 b) {
   return __builtin_ia32_maxps(a, b);
@@ -113,6 +122,15 @@ HAPTICELL_INLINE Vector<V> cross(const Vector<V>& a, const Vector<V>& b) {
 template <typename V, typename T>
 HAPTICELL_INLINE Vector<V> loadVector(const T* x, int stride) {
   return {load<V>(x), load<V>(x + stride), load<V>(x + 2 * stride)};
+}
+
+HAPTICELL_INLINE float absolute(float x) {
+  return x < 0.0f ? -x : x;
+}
+
+template <typename V>
+HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }
 
 }  // namespace

@@ -45,6 +45,16 @@ struct QueryBox {
   float line[3] = {};  ///< A unit vector along which gaps are looked for too; 0: none.
 };
 
+/// How a box moves against a node's children, in the node's frame: a child at p (relative to the node's origin) sees it
+/// go by any share from -1 to 1 of `at` + `turn` x p. What else comes nearer is `margin` and, for each child, its half
+/// diagonal times `turn_size`.
+struct BoxSweep {
+  float at[3];      ///< m
+  float turn[3];    ///< rad
+  float margin;     ///< m
+  float turn_size;  ///< rad: no less than the length of `turn`.
+};
+
 /// Takes the second leaf's corners into the first leaf's frame: R c + t, with R row by row.
 struct LeafTransform {
   float R[9];
@@ -117,10 +127,11 @@ struct ProximityKernels {
   /// Which of the 16 boxes (bit by lane) overlap or touch the box.
   std::uint32_t (*nearBoxes)(const PartBoxes& boxes, const QueryBounds& query);
 
-  /// boxBounds() and leafPairs() where the one moves against the other: by any share from -1 to 1 of `sweep` (in the
-  /// node's frame, or the first leaf's). Lower bounds over all of these places.
-  std::uint32_t (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const float* sweep, float limit_squared,
-                                  float* squared);
+  /// boxBounds() where the box moves against the children: lower bounds over all places. Returns those that are below
+  /// the child's margin.
+  std::uint32_t (*sweptBoxBounds)(const BoxNode& node, const QueryBox& query, const BoxSweep& sweep, float* squared);
+
+  /// leafPairs() where the one moves against the other by any share from -1 to 1 of `sweep`, in the first leaf's frame.
   std::uint32_t (*sweptLeafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                                   float limit_squared, const float* sweep, float (*corners_b)[kLeafSize]);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 Included once by each of proximity_kernels_*.cpp, which are compiled for
 // different instruction sets. Uses vector extensions of g++ and clang, no library: if an inline function of a library
 // were compiled here for a new processor, the linker might use that copy everywhere.
+#include "collision/trees/kernel_sweeps.h"
 #include "collision/trees/kernel_triangles.h"
 #include "collision/trees/kernel_vectors.h"
 #include "collision/trees/proximity_kernels.h"
@@ -11,36 +12,6 @@ namespace {
 /// Rounding in float, relative to the numbers added: 25 units of 6e-8, for a dozen sums. Half: a near pair may be
 /// missed (DistanceOracle); twice: more pairs measured in double.
 constexpr float kRoundingOfSums = 1.5e-6f;
-
-HAPTICELL_INLINE float absolute(float x) {
-  return x < 0.0f ? -x : x;
-}
-
-template <typename V>
-HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
-  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
-}
-
-/// The gap perpendicular to a sweep: in that direction the sweep adds nothing.
-template <typename V>
-HAPTICELL_INLINE V besideSweep(const Vector<V>* axes, const V* halves, const Vector<V>& apart, const QueryBox& query,
-                               const float* sweep, V doubt) {
-  const float square = sweep[0] * sweep[0] + sweep[1] * sweep[1] + sweep[2] * sweep[2];
-  const V along =
-      (apart.x * sweep[0] + apart.y * sweep[1] + apart.z * sweep[2]) * (square > 0.0f ? 1.0f / square : 0.0f);
-  const Vector<V> beside{apart.x - along * sweep[0], apart.y - along * sweep[1], apart.z - along * sweep[2]};
-  V reach = doubt * (magnitude(beside.x) + magnitude(beside.y) + magnitude(beside.z));
-  // `beside` is square to the sweep only up to rounding.
-  reach += magnitude(beside.x * sweep[0] + beside.y * sweep[1] + beside.z * sweep[2]);
-  for (int k = 0; k < 3; ++k) reach += halves[k] * magnitude(dot(axes[k], beside));
-  for (int i = 0; i < 3; ++i) {
-    const float* q = query.axis[i];
-    reach += query.half[i] * magnitude(beside.x * q[0] + beside.y * q[1] + beside.z * q[2]);
-  }
-  const V length_squared = dot(beside, beside);
-  const V open = larger(magnitude(dot(beside, apart)) - reach, V{});
-  return length_squared > V{} ? open * open / length_squared : V{};
-}
 
 using Mask8 = std::int32_t __attribute__((vector_size(32)));
 HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
@@ -69,11 +40,12 @@ HAPTICELL_INLINE V alongLine(const Vector<V>* axes, const V* halves, const Vecto
   return open * open;
 }
 
-/// With kSwept the query box is somewhere between its place less `sweep` and its place plus it. With kLine gaps are
-/// looked for along the query's line and between the middles too, which pays where the nearest are not at 0.
+/// With kSwept the query box is somewhere between its place less the child's sweep and its place plus it. With kLine
+/// gaps are looked for along the query's line and between the middles too, which pays where the nearest are not at 0.
+/// Returns the square of the child's limit, if swept.
 template <bool kSwept, bool kLine, typename V>
-HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, const float* sweep,
-                                    float* squared) {
+HAPTICELL_INLINE V boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, const BoxSweep* swept,
+                                 float* squared) {
   Vector<V> axes[3] = {loadVector<V>(node.u[0] + lane, kTreeWidth), loadVector<V>(node.v[0] + lane, kTreeWidth), {}};
   axes[2] = cross(axes[0], axes[1]);
   const Vector<V> middle = loadVector<V>(node.center[0] + lane, kTreeWidth);
@@ -81,7 +53,11 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
   const Vector<V> apart{middle.x - query.center[0], middle.y - query.center[1], middle.z - query.center[2]};
   V size = magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + half.x + half.y + half.z +
            (query.half[0] + query.half[1] + query.half[2]);
-  if constexpr (kSwept) size += absolute(sweep[0]) + absolute(sweep[1]) + absolute(sweep[2]);
+  ChildSweep<V> child;
+  if constexpr (kSwept) {
+    child = childSweep(middle, half, *swept);
+    size += child.rounding;
+  }
   const V doubt = kRoundingOfSums * size;
   const V halves[3] = {half.x, half.y, half.z};
   V reach_of_query[3] = {doubt, doubt, doubt}, by_query{}, by_child{};
@@ -94,15 +70,14 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
       reach_of_query[k] += query.half[i] * cosine;
       reach += halves[k] * cosine;
     }
-    if constexpr (kSwept) reach += absolute(sweep[0] * q[0] + sweep[1] * q[1] + sweep[2] * q[2]);
+    if constexpr (kSwept) reach += magnitude(child.sweep.x * q[0] + child.sweep.y * q[1] + child.sweep.z * q[2]);
     const V along = magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]);
     const V open = larger(along - query.half[i] - reach, V{});
     by_query += open * open;
     if constexpr (kLine) taken_along += query.half[i] * along;
   }
   for (int k = 0; k < 3; ++k) {
-    if constexpr (kSwept)
-      reach_of_query[k] += magnitude(axes[k].x * sweep[0] + axes[k].y * sweep[1] + axes[k].z * sweep[2]);
+    if constexpr (kSwept) reach_of_query[k] += magnitude(dot(axes[k], child.sweep));
     const V along = magnitude(dot(apart, axes[k]));
     const V open = larger(along - halves[k] - reach_of_query[k], V{});
     by_child += open * open;
@@ -114,29 +89,34 @@ HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBo
     bound = larger(bound, square > V{} ? beyond / square * beyond : V{});
     bound = larger(bound, alongLine(axes, halves, apart, query, doubt));
   }
-  if constexpr (kSwept) bound = larger(bound, besideSweep(axes, halves, apart, query, sweep, doubt));
+  if constexpr (kSwept) bound = larger(bound, besideSweep(axes, halves, apart, query, child.sweep, doubt));
   store(squared + lane, bound);
+  return child.limit_squared;
 }
 
-template <bool kSwept, bool kLine>
-HAPTICELL_INLINE std::uint32_t boundsOfBoxes(const BoxNode& node, const QueryBox& query, const float* sweep,
-                                             float limit_squared, float* squared) {
+template <bool kLine>
+HAPTICELL_INLINE std::uint32_t boundsOfBoxes(const BoxNode& node, const QueryBox& query, float limit_squared,
+                                             float* squared) {
   constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
   for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
-    boxBoundsPart<kSwept, kLine, HAPTICELL_BOX_LANES>(node, lane, query, sweep, squared);
+    boxBoundsPart<false, kLine, HAPTICELL_BOX_LANES>(node, lane, query, nullptr, squared);
   }
   return bitsOf(Mask8(load<Float8>(squared) < all<Float8>(limit_squared)));
 }
 
 std::uint32_t boxBounds(const BoxNode& node, const QueryBox& query, float limit_squared, float* squared) {
   if (query.line[0] == 0.0f && query.line[1] == 0.0f && query.line[2] == 0.0f)
-    return boundsOfBoxes<false, false>(node, query, nullptr, limit_squared, squared);
-  return boundsOfBoxes<false, true>(node, query, nullptr, limit_squared, squared);
+    return boundsOfBoxes<false>(node, query, limit_squared, squared);
+  return boundsOfBoxes<true>(node, query, limit_squared, squared);
 }
 
-std::uint32_t sweptBoxBounds(const BoxNode& node, const QueryBox& query, const float* sweep, float limit_squared,
-                             float* squared) {
-  return boundsOfBoxes<true, false>(node, query, sweep, limit_squared, squared);
+std::uint32_t sweptBoxBounds(const BoxNode& node, const QueryBox& query, const BoxSweep& sweep, float* squared) {
+  constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
+  float limits[kTreeWidth];
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    store(limits + lane, boxBoundsPart<true, false, HAPTICELL_BOX_LANES>(node, lane, query, &sweep, squared));
+  }
+  return bitsOf(Mask8(load<Float8>(squared) < load<Float8>(limits)));
 }
 
 /// Whether the other triangle is proven to be farther from a face's plane than the limit.

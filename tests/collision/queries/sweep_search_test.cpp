@@ -4,45 +4,63 @@
 #include <gtest/gtest.h>
 
 #include "collision/queries/mesh_search.h"
+#include "collision/queries/motion_bound.h"
 #include "collision/queries/scene.h"
 #include "tests/collision/queries/meshes.h"
 
 namespace hapticell::collision {
 namespace {
 
+/// The mesh in the world where each point has gone by that share of the sweep, by itself.
+geometry::TriangleMesh placed(const MeshCollider& part, const SweptPose& swept, double share) {
+  geometry::TriangleMesh mesh = part.mesh();
+  const dvec3 middle_W = swept.X_WP * part.center();
+  for (dvec3& p : mesh.vertices) {
+    const dvec3 p_W = swept.X_WP * p;
+    p = p_W + share * (swept.sweep.d_W + glm::cross(swept.sweep.turn_W, p_W - middle_W));
+  }
+  return mesh;
+}
+
 TEST(SweepSearch, WhatItProvesHoldsAllAlongTheSweep) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const auto a = MeshCollider::build(test::soupMesh(random, 200, 0.1)),
              b = MeshCollider::build(test::soupMesh(random, 300, 0.3));
-  int proven = 0, met = 0;
+  int proven = 0, met = 0, proven_turning = 0;
   for (int i = 0; i < 2000; ++i) {
     const Pose X_WA = test::randomPose(random, 0.5), X_WB = test::randomPose(random, 0.1);
-    const dvec3 sweep_W = test::randomPose(random, 0.4 * share(random)).p;
     const double margin = 0.05 * share(random);
+    const bool turns = i % 2 == 0;
+    const auto turn = [&] { return turns ? test::randomPose(random, 0.3 * share(random)).p : dvec3(0.0); };
+    const SweptPose swept_a{X_WA, {test::randomPose(random, 0.4 * share(random)).p, turn()}},
+        swept_b{X_WB, {test::randomPose(random, 0.1 * share(random)).p, turn()}};
     ProximityQuery query(a, b);
-    const bool may_meet = query.mayMeet(X_WA, X_WB, sweep_W, margin);
-    double least = 1.0;
-    std::vector<TrianglePair> near;
-    for (int k = -20; k <= 20; ++k) {
-      const Pose X_WThere{X_WA.p + k / 20.0 * sweep_W, X_WA.q};
-      near.clear();
-      // By the triangles alone, as what is inside the other is no matter here.
-      trianglePairsWithin(*a, *b, X_WThere.inverse() * X_WB, margin, near, 1);
-      if (!near.empty()) least = std::min(least, near.front().distance);
-    }
+    const bool may_meet = query.mayMeet(swept_a, swept_b, margin);
     if (may_meet) {
       ++met;
-      EXPECT_LE(distance(a, X_WA, b, X_WB).distance, margin + glm::length(sweep_W) + 1e-9) << i;
+      const double way = glm::length(swept_a.sweep.d_W - swept_b.sweep.d_W) +
+                         glm::length(swept_a.sweep.turn_W) * a->radius() +
+                         glm::length(swept_b.sweep.turn_W) * b->radius();
+      EXPECT_LE(distance(a, X_WA, b, X_WB).distance, margin + way + 1e-9) << i;
     } else {
       ++proven;
-      EXPECT_GE(least, margin) << i;
+      proven_turning += turns ? 1 : 0;
+      for (int k = -4; k <= 4; ++k) {
+        const auto a_there = MeshCollider::build(placed(*a, swept_a, k / 4.0)),
+                   b_there = MeshCollider::build(placed(*b, swept_b, k / 4.0));
+        std::vector<TrianglePair> near;
+        // By the triangles alone, as what is inside the other is no matter here.
+        trianglePairsWithin(*a_there, *b_there, Pose::identity(), margin, near, 1);
+        EXPECT_TRUE(near.empty()) << i << " at " << k;
+      }
     }
-    if (!query.mayMeet(X_WA, X_WB, sweep_W, margin, 3)) {
+    if (!query.mayMeet(swept_a, swept_b, margin, 3)) {
       EXPECT_FALSE(may_meet) << "little effort proves nothing that is not so";
     }
   }
   EXPECT_GT(proven, 300);
+  EXPECT_GT(proven_turning, 100);
   EXPECT_GT(met, 300);
 }
 
@@ -50,10 +68,35 @@ TEST(SweepSearch, PassesBesideWithoutMeeting) {
   const auto box = MeshCollider::build(test::boxMesh({0.1, 0.1, 0.1}));
   const Pose X_beside = Pose::translation({0, 0.12, 0});
   ProximityQuery query(box, box);
-  EXPECT_FALSE(query.mayMeet({}, X_beside, {1.0, 0, 0}, 0.01)) << "along itself only";
-  EXPECT_TRUE(query.mayMeet({}, X_beside, {1.0, 0, 0}, 0.03));
-  EXPECT_TRUE(query.mayMeet(Pose::translation({-0.5, 0, 0}), {}, {0.6, 0, 0}, 0.01));
-  EXPECT_TRUE(query.mayMeet(Pose::translation({0.5, 0, 0}), {}, {0.6, 0, 0}, 0.01)) << "to both sides";
+  const Pose X_here, X_before = Pose::translation({-0.5, 0, 0}), X_behind = Pose::translation({0.5, 0, 0});
+  const PartSweep far{{1.0, 0, 0}, {}}, near{{0.6, 0, 0}, {}};
+  EXPECT_FALSE(query.mayMeet({X_here, far}, {X_beside}, 0.01)) << "along itself only";
+  EXPECT_TRUE(query.mayMeet({X_here, far}, {X_beside}, 0.03));
+  EXPECT_TRUE(query.mayMeet({X_before, near}, {X_here}, 0.01));
+  EXPECT_TRUE(query.mayMeet({X_behind, near}, {X_here}, 0.01)) << "to both sides";
+  EXPECT_FALSE(query.mayMeet({X_here, far}, {X_beside, far}, 0.01)) << "both together";
+}
+
+/// A sheet that turns about its middle hardly moves there: a post above it is passed, one at the end is met.
+TEST(SweepSearch, TurningMovesWhatIsFarFromTheMiddle) {
+  const auto sheet = MeshCollider::build(test::sheetMesh(1.0, 50, 0.0));
+  const auto post = MeshCollider::build(test::boxMesh({0.02, 0.02, 0.5}));
+  ProximityQuery query(sheet, post);
+  const Pose X_here, X_beside = Pose::translation({0.1, 0, 0.28}), X_at_end = Pose::translation({0.45, 0, 0.28});
+  const PartSweep turn{{}, {0, 0.1, 0}};
+  EXPECT_FALSE(query.mayMeet({X_here, turn}, {X_beside}, 0.001));
+  EXPECT_TRUE(query.mayMeet({X_here, turn}, {X_at_end}, 0.001));
+}
+
+TEST(MotionBound, ATurnIsWhatItsPartsSay) {
+  std::mt19937 random(42);
+  for (int i = 0; i < 1000; ++i) {
+    const Pose X_WB0 = test::randomPose(random, 1.0), X_WB1 = test::randomPose(random, 1.0);
+    const Turn turn = turnOf(X_WB0, X_WB1);
+    const dvec3 r_B = test::randomPose(random, 1.0).p, r_W = X_WB0.rotate(r_B), gone = X_WB1.rotate(r_B) - r_W;
+    EXPECT_LE(glm::length(gone - glm::cross(turn.w_W, r_W)), turn.bent * glm::length(r_W) + 1e-12);
+    EXPECT_LE(glm::length(gone), turn.chord * glm::length(r_W) + 1e-12);
+  }
 }
 
 /// Two bodies that turn and bend on their ways, past and through a thin wall; sampled far finer than the wall is thick.

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "collision/trees/box_tree.h"
+#include "collision/trees/kernel_sweeps.h"
 #include "collision/trees/kernel_triangles.h"
 #include "collision/trees/triangle_distance.h"
 #include "tests/collision/queries/meshes.h"
@@ -208,19 +209,40 @@ TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
       EXPECT_LE(std::sqrt(double{squared[lane]}), leastBetween(tree.box(index * kTreeWidth + lane), other) + 1e-9);
       EXPECT_GE(std::sqrt(double{squared[lane]}), expected - 2e-5);
     }
-    const dvec3 sweep = anywhere(0.5);
-    const float sweep_F[3] = {asFloat(sweep.x), asFloat(sweep.y), asFloat(sweep.z)};
-    kernels_->sweptBoxBounds(node, query, sweep_F, 0.0f, squared);
+    const dvec3 sweep = anywhere(0.5), turn = index % 2 == 0 ? anywhere(0.3) : dvec3(0.0);
+    BoxSweep swept;
+    for (int i = 0; i < 3; ++i) {
+      swept.at[i] = asFloat(sweep[i]);
+      swept.turn[i] = asFloat(turn[i]);
+    }
+    swept.margin = 0.05f;
+    swept.turn_size = asFloat(1.000001 * glm::length(turn));
+    const std::uint32_t met = kernels_->sweptBoxBounds(node, query, swept, squared);
+    const dvec3 origin(node.origin[0], node.origin[1], node.origin[2]);
     for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      const OrientedBox child = tree.box(index * kTreeWidth + lane);
       double least = 1e9;
       for (int k = -4; k <= 4; ++k) {
         OrientedBox there = other;
-        there.center += k / 4.0 * sweep;
-        least = std::min(least, leastBetween(tree.box(index * kTreeWidth + lane), there));
+        there.center += k / 4.0 * (sweep + glm::cross(turn, child.center - origin));
+        least = std::min(least, leastBetween(child, there));
       }
-      EXPECT_LE(std::sqrt(double{squared[lane]}), least + 1e-5);
+      const double bound = std::sqrt(double{squared[lane]}), near = 0.05 + glm::length(turn) * glm::length(child.half);
+      EXPECT_LE(bound, least + 1e-5);
+      const bool is_on_the_limit = std::abs(bound - near) < 1e-5;
+      EXPECT_TRUE(is_on_the_limit || ((met >> lane & 1u) != 0) == (bound < near));
     }
   }
+}
+
+TEST(KernelSweeps, AChildSeesTheSweepOfItsOwnMiddle) {
+  const BoxSweep sweep{{0.1f, 0.2f, 0.3f}, {0.0f, 0.0f, 0.5f}, 0.01f, 0.5f};
+  const auto child = childSweep<Float4>({all<Float4>(2.0f), all<Float4>(0.0f), all<Float4>(0.0f)},
+                                        {all<Float4>(0.03f), all<Float4>(0.04f), all<Float4>(0.0f)}, sweep);
+  EXPECT_NEAR(child.sweep.x[0], 0.1, 1e-6);
+  EXPECT_NEAR(child.sweep.y[1], 1.2, 1e-6) << "0.2 and 0.5 rad at 2 m";
+  EXPECT_NEAR(child.sweep.z[2], 0.3, 1e-6);
+  EXPECT_NEAR(std::sqrt(child.limit_squared[3]), 0.01 + 0.5 * 0.05, 1e-6);
 }
 
 TEST_P(ProximityKernels, LeavesAreBeyondABoxOnlyWhereAllTrianglesAre) {
