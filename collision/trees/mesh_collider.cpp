@@ -40,7 +40,9 @@ BoxTree treeOf(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> tr
     return std::move(*kept);
   }
   BuildControl control;
-  control.threads = how.threads != 0 ? how.threads : std::max(1u, std::thread::hardware_concurrency());
+  // Asked once: each time reads a file of the system, and a cell has thousands of small parts.
+  static const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  control.threads = how.threads != 0 ? how.threads : cores;
   if (how.progress != nullptr) {
     control.done = &how.progress->triangles_done;
     control.cancelled = &how.progress->cancelled;

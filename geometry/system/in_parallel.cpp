@@ -12,7 +12,8 @@ namespace hapticell::geometry {
 std::size_t rangesOf(std::size_t count, std::size_t least) {
   // Threads: memory is the limit before that. Half: large machines wait longer; twice: no gain.
   constexpr std::size_t kMost = 8;
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  // Asked once: each time reads a file of the system, and every mesh that is looked at asks.
+  static const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
   return std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, std::min(cores, kMost));
 }
 

@@ -82,7 +82,7 @@ bool ViewPicture::hasMoved() const {
 
 bool ViewPicture::isFinished() const {
   if (!renderer_ || hasMoved() || view_.isUnderWay()) return false;
-  return rest_.isFinished();
+  return isCoarse() || rest_.isFinished();
 }
 
 bool ViewPicture::hasWhole(std::uint64_t revision) const {
@@ -104,12 +104,12 @@ bool ViewPicture::touchMatters() const {
 void ViewPicture::drawMoving(double now) {
   Frame frame = view_.makeFrame();
   governor_.setBudget(touchMatters() ? kTouchFrameSeconds : kFrameSeconds);
-  frame.detail = governor_.level();
+  frame.detail = isCoarse() ? DetailLevel::kHalfSize : governor_.level();
   frame.most_triangles = governor_.mostTriangles();
   renderer_->render(frame, view_.defaultFramebufferObject());
   gl_.glFinish();
   last_motion_s_ = seconds();
-  governor_.frameTook(last_motion_s_ - now, renderer_->lastCount().triangles);
+  if (!isCoarse()) governor_.frameTook(last_motion_s_ - now, renderer_->lastCount().triangles);
   simplified_ = frame.detail >= DetailLevel::kHalfSize || renderer_->lastCount().pixels_off > kSeenPixels;
   touch_.drawn(view_.scene().snapshot() ? view_.scene().snapshot()->felt_ns : 0);
   drawn_revision_ = view_.scene().revision();
@@ -136,7 +136,7 @@ void ViewPicture::refineStep() {
 
 void ViewPicture::painted(double start) {
   meter_.frame(start, seconds() - start);
-  rest_.setMostSamples(restSamples());
+  rest_.setMostSamples(std::max(restSamples(), 1));
   if (view_.isUnderWay())
     refine_.start(0);
   else if (!refine_.isActive() && !isFinished())
@@ -157,7 +157,7 @@ bool ViewPicture::refine(double now) {
 
 int ViewPicture::restSamples() const {
   const QVariant wanted = view_.property(kRestSamples);
-  return wanted.isValid() ? std::max(wanted.toInt(), 1) : SceneRenderer::kSamples;
+  return wanted.isValid() ? std::max(wanted.toInt(), 0) : SceneRenderer::kSamples;
 }
 
 QImage ViewPicture::finished() {
@@ -169,7 +169,7 @@ QImage ViewPicture::finished() {
     renderer_->waitForParts();
     QOpenGLFramebufferObject target(frame.width, frame.height);
     frame.refine = true;
-    const int samples = restSamples();
+    const int samples = std::max(restSamples(), 1);
     for (frame.sample = 0; frame.sample < samples; ++frame.sample)
       renderer_->render(frame, target.handle());
     QImage picture = target.toImage();

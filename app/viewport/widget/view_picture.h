@@ -19,8 +19,9 @@ namespace hapticell::app {
 class ViewportWidget;
 
 /// How the viewport draws the scene: frames during motion, the picture at rest in pieces, and pictures for other uses.
-/// GUI thread. The view's property kRestSamples, a number from 1, replaces SceneRenderer::kSamples from the next paint on:
-/// fewer give rougher edges and shadows for less work; what is in the scene and what is picked stay the same.
+/// GUI thread. The view's property kRestSamples, a number from 0, replaces SceneRenderer::kSamples from the next paint on:
+/// fewer give rougher edges and shadows for less work, and 0 leaves the frame in motion, at half the resolution; what is in
+/// the scene stays the same, and what is picked to two pixels.
 class ViewPicture : public QObject {
  public:
   static constexpr const char* kRestSamples = "restSamples";
@@ -66,6 +67,7 @@ class ViewPicture : public QObject {
   bool touchMatters() const;
   void refineStep();
   int restSamples() const;
+  bool isCoarse() const { return restSamples() == 0; }
   bool refine(double now);  ///< Draws one piece of the picture at rest; true at the end of a sample.
 
   ViewportWidget& view_;

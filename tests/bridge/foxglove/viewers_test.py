@@ -7,6 +7,7 @@ foxglove.websocket.v1), and, where node and its modules are installed (HAPTICELL
 usage: viewers_test.py HAPTICELL_CLI PROJECT_ROOT
 """
 import base64
+import concurrent.futures
 import hashlib
 import json
 import math
@@ -15,12 +16,14 @@ import pathlib
 import re
 import select
 import shutil
+import signal
 import socket
 import struct
 import subprocess
 import sys
 import tempfile
 import time
+import traceback
 
 CLI, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 CELL = ROOT / "config" / "workcells" / "demo.hcell"
@@ -170,14 +173,24 @@ def frames_of(data):
     return found
 
 
+started = []
+
+
 def live(*words):
     process = subprocess.Popen([CLI, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    started.append(process)
     address = None
     while address is None:
         line = process.stderr.readline()
         assert line, "hapticell-cli ended before it served: " + process.stderr.read()
         address = re.search(r"ws://(\S+):(\d+)(/\S+)?", line)
     return process, int(address[2]), address[3] or "/"
+
+
+def interrupted(process):
+    """What it says when it is ended as by Ctrl+C: all that was wanted of it has been seen."""
+    process.send_signal(signal.SIGINT)
+    return ended(process)
 
 
 def ended(process, expect=0):
@@ -193,7 +206,7 @@ def run(*words):
 
 
 def test_a_viewer_sees_the_whole_cell():
-    process, port, _ = live("live", "--workcell", CELL, "--port", 0, "--seconds", 6)
+    process, port, _ = live("live", "--workcell", CELL, "--port", 0)
     viewer = Viewer(port).welcome()
     assert {"/scene", "/tf", "/joint_states", "/stylus/pose", "/stylus/wrench", "/force", "/contacts", "/contact_points",
             "/log"} == set(viewer.topics)
@@ -243,7 +256,7 @@ def test_a_viewer_sees_the_whole_cell():
         assert all(joint in joints for joint in joints if joint.startswith(name + "/"))
         assert any(shape.startswith(name + "/") for shape in shapes)
     viewer.close()
-    result = ended(process)
+    result = interrupted(process)
     assert result["viewers"] == 1 and result["messages"] > len(entities), result
 
 
@@ -313,7 +326,7 @@ def test_force_and_contacts_of_a_session_come_live():
 
 
 def test_strangers_are_refused():
-    process, port, _ = live("live", "--workcell", CELL, "--port", 0, "--seconds", 8)
+    process, port, _ = live("live", "--workcell", CELL, "--port", 0)
     for origin in ("https://evil.example", "http://localhost.evil.example", "null", "http://127.0.0.1.evil.example:80"):
         try:
             Viewer(port, origin=origin)
@@ -342,11 +355,11 @@ def test_strangers_are_refused():
         bad.close()
     assert good.message()[0] == "/force"
     good.close()
-    ended(process)
+    interrupted(process)
 
 
 def test_other_machines_need_the_code():
-    process, port, path = live("live", "--workcell", CELL, "--port", 0, "--listen", "0.0.0.0", "--seconds", 5)
+    process, port, path = live("live", "--workcell", CELL, "--port", 0, "--listen", "0.0.0.0")
     assert re.fullmatch(r"/[0-9A-Z-]{20,}", path), path
     for wrong in ("/", "/0000", path[:-1]):
         try:
@@ -355,7 +368,7 @@ def test_other_machines_need_the_code():
         except Refused as refused:
             assert "403" in str(refused), refused
     Viewer(port, path).welcome().close()
-    ended(process)
+    interrupted(process)
     done = subprocess.run([CLI, "live", "--workcell", str(CELL), "--listen", "somewhere"], capture_output=True, text=True, check=False)
     assert done.returncode == 2 and "no IP address" in done.stderr, done.stderr
     done = subprocess.run([CLI, "session", "--workcell", str(CELL), "--entity", "robot", "--hand", str(HAND), "--live", "0"],
@@ -364,9 +377,10 @@ def test_other_machines_need_the_code():
 
 
 def test_a_slow_viewer_gets_fewer_messages_not_old_ones():
-    process, port, _ = live("live", "--workcell", CELL, "--port", 0, "--seconds", 5, "--rate", 500)
+    process, port, _ = live("live", "--workcell", CELL, "--port", 0, "--rate", 500)
     slow = Viewer(port).welcome().subscribe("/scene", "/tf", "/force", "/contact_points")
     time.sleep(4)
+    interrupted(process)
     newest = 0
     while select.select([slow.socket], [], [], 0.2)[0] or slow.bytes:
         try:
@@ -374,7 +388,6 @@ def test_a_slow_viewer_gets_fewer_messages_not_old_ones():
         except (EOFError, ConnectionError):
             break
     assert newest > 0
-    ended(process)
 
 
 def node_modules():
@@ -390,25 +403,30 @@ def test_the_protocol_s_own_client_reads_it():
     if not found:
         return print("left out: node with @foxglove/ws-protocol and ws (HAPTICELL_NODE_MODULES names their folder)")
     node, modules = found
-    process, port, _ = live("live", "--workcell", CELL, "--port", 0, "--seconds", 8)
+    process, port, _ = live("live", "--workcell", CELL, "--port", 0)
     done = subprocess.run([node, pathlib.Path(__file__).parent / "foxglove_client.js", modules, f"ws://127.0.0.1:{port}"],
                           capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, done.stderr
     heard = json.loads(done.stdout)
     assert heard["name"] == "HaptiCell" and "/tf" in heard["topics"], heard
     assert {"robot"} <= set(heard["frames"]) and heard["models"] > 3, heard
-    ended(process)
+    interrupted(process)
 
 
-failed = []
 only = sys.argv[3:]
-for name, test in sorted(globals().items()):
-    if name.startswith("test_") and (not only or name in only):
-        try:
-            test()
-            print(name, "ok")
-        except Exception as problem:  # pylint: disable=broad-except
-            import traceback
-            traceback.print_exc()
-            failed.append(name)
+tests = {name: test for name, test in sorted(globals().items()) if name.startswith("test_") and (not only or name in only)}
+failed = []
+try:
+    # Beside each other: they mostly wait for messages.
+    with concurrent.futures.ThreadPoolExecutor(len(tests)) as pool:
+        for name, running in {name: pool.submit(test) for name, test in tests.items()}.items():
+            try:
+                running.result()
+                print(name, "ok")
+            except Exception:  # pylint: disable=broad-except
+                traceback.print_exc()
+                failed.append(name)
+finally:
+    for process in started:
+        process.kill()
 sys.exit(f"failed: {failed}" if failed else 0)

@@ -232,6 +232,7 @@ int writeTopic(DomainParticipant* participant, const std::string& topic, int cou
   }
   writer->wait_for_acknowledgments({5, 0});
   std::printf("{\"written\":%d}\n", count);
+  std::fflush(stdout);
   return 0;
 }
 

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace hapticell::geometry {
@@ -26,6 +29,24 @@ TEST(InParallel, LittleWorkIsOneRange) {
   EXPECT_EQ(rangesOf(0, 100), 1u);
   EXPECT_EQ(rangesOf(99, 100), 1u);
   EXPECT_LE(rangesOf(1'000'000, 1), 8u);
+}
+
+/// How often this process has read from a file; none where the system does not say.
+std::optional<long> readsOfThisProcess() {
+  std::ifstream counts("/proc/self/io");
+  std::string name;
+  for (long count = 0; counts >> name >> count;)
+    if (name == "syscr:") return count;
+  return std::nullopt;
+}
+
+TEST(InParallel, AsksTheSystemForItsProcessorsOnce) {
+  rangesOf(1000, 1);
+  const auto before = readsOfThisProcess();
+  for (int i = 0; i < 1000; ++i) rangesOf(1000, 1);
+  const auto after = readsOfThisProcess();
+  if (!before || !after) GTEST_SKIP() << "the system does not count reads";
+  EXPECT_LT(*after - *before, 100) << "but for the counts themselves";
 }
 
 TEST(InParallel, WhatIsThrownComesBack) {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <random>
 
 #include "geometry/shapes/shapes.h"
 #include "mannequin/shape/figure_model.h"
+#include "tests/support/wanted_cases.h"
 #include "workcell/import/entity_source.h"
 
 namespace hapticell::manipulation {
@@ -59,11 +59,6 @@ const std::vector<Gesture> kGestures = {
     {"to the front and up", {0.25, 0.0, 0.30}},     {"across to the left", {0.20, 0.10, 0.20}},
     {"across to the right", {0.20, -0.10, 0.20}},   {"to the knees", {0.15, 0.0, -0.12}}};
 
-/// Whether every case is wanted, not a part of them (tools/check_more samples).
-bool allAreWanted() {
-  return std::getenv("HAPTICELL_ALL_GESTURES") != nullptr;
-}
-
 /// Three ways of holding times eight gestures. A body draws each gesture in one of the ways, and the next body (`number`) in
 /// the next one: so each gesture is drawn in each way.
 void expectAllReached(const char* body, std::size_t number, bool steps) {
@@ -75,7 +70,7 @@ void expectAllReached(const char* body, std::size_t number, bool steps) {
   for (std::size_t i = 0; i < kGestures.size(); ++i) {
     const Gesture& gesture = kGestures[i];
     for (std::size_t j = 0; j < holds.size(); ++j) {
-      if (!allAreWanted() && j != (i + number) % holds.size()) continue;
+      if (!test::allCasesAreWanted() && j != (i + number) % holds.size()) continue;
       const HoldOptions& hold = holds[j];
       auto way = FigureWay::take(scene, entity.id, hold, FigureWay::Turn::kWithTheForearm, {});
       ASSERT_TRUE(way) << way.error().message();
@@ -149,7 +144,7 @@ int leftShortOfWalks(const char* body, bool apart, std::uint64_t seed) {
   auto way =
       FigureWay::take(scene, entity.id, holding(by::BothHands{apart, true}), FigureWay::Turn::kWithTheForearm, {});
   int left_short = 0;
-  const int places = allAreWanted() ? 4 : 2;
+  const int places = test::allCasesAreWanted() ? 4 : 2;
   for (int i = 0; i < places; ++i) {
     const dvec3 p = stature * dvec3(2.0 * unit() - 1.0, 2.0 * unit() - 1.0, 0.35 + 0.45 * unit());
     const FigureWay::Reach reach = drawn(**way, p - (*way)->follow().X_WM.p);
