@@ -13,7 +13,7 @@
 namespace hapticell::planning {
 
 /// One search of a LivePlanner: from the newest state of the hand to a way of the moved frame. Keeps the space of its
-/// scene between searches; a mannequin's begins anew with each posture. One thread.
+/// scene between searches; for a mannequin it is made from each posture. One thread.
 class WaySearch {
  public:
   WaySearch(const LiveOptions& options, const config::Configuration& configuration)
