@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,6 +39,7 @@ struct Tried {
   std::vector<double> seconds;      ///< Of those that were solved.
   double most_step = 0.0, least_energy = 0.0, inside = 0.0;
   double most_led = 0.0;            ///< N/ms from 50 ms after a contact changed on, as M1 of docs/dev/feel.md.
+  double most_pull = 0.0;           ///< N/ms of pulls alone, at all times.
   std::uint64_t ways = 0, insistences = 0;
 
   void add(bool is_solved, double time) {
@@ -60,24 +62,40 @@ class ForceSteps {
   void add(const manipulation::TraceRow& row) {
     if (row.contact != contact_) changed_ = row.t;
     contact_ = row.contact;
-    const double step = glm::length(row.force_D - last_D_);
-    last_D_ = row.force_D;
-    if (row.t > changed_ + kAfterChange && step > most_) most_ = step, most_t_ = row.t;
+    const dvec3 step_D = row.force_D - last_.force_D, pull_D = row.pull_D - last_.pull_D;
+    const double hand = glm::distance(row.X_DS.p, last_.X_DS.p), proxy = glm::distance(row.X_DP.p, last_.X_DP.p);
+    last_ = row;
+    most_pull_ = std::max(most_pull_, glm::length(pull_D));
+    if (row.t <= changed_ + kAfterChange || glm::length(step_D) <= most_) return;
+    most_ = glm::length(step_D), most_t_ = row.t;
+    contact_at_most_ = glm::length(step_D - pull_D), pull_at_most_ = glm::length(pull_D);
+    hand_at_most_ = 1e3 * hand, proxy_at_most_ = 1e3 * proxy;
   }
   double most() const { return most_; }
   double when() const { return most_t_; }
+  /// Of pulls alone, at all times.
+  double mostOfPulls() const { return most_pull_; }
+  /// What contacts and pulls made of the largest.
+  double contactAtMost() const { return contact_at_most_; }
+  double pullAtMost() const { return pull_at_most_; }
+  /// m/s of stylus and proxy then.
+  double handAtMost() const { return hand_at_most_; }
+  double proxyAtMost() const { return proxy_at_most_; }
 
  private:
   static constexpr double kAfterChange = 0.05;  // s, as feel_session.cpp.
   bool contact_ = false;
-  double changed_ = -1.0, most_ = 0.0, most_t_ = 0.0;
-  dvec3 last_D_{0.0};
+  double changed_ = -1.0, most_ = 0.0, most_t_ = 0.0, most_pull_ = 0.0;
+  double contact_at_most_ = 0.0, pull_at_most_ = 0.0, hand_at_most_ = 0.0, proxy_at_most_ = 0.0;
+  manipulation::TraceRow last_;
 };
 
-/// s that a check counts for, and checks of a search at most: by counts, not by the clock, so that every run gives the
-/// same figures. 100 us is between those of the solids and of the robot. Half and twice: half and twice of the delay.
+/// s that a check counts for: by counts, not by the clock, so that every run gives the same figures. 100 us is between
+/// those of the solids and of the robot. Half and twice: half and twice of the delay.
 constexpr double kCheckTime = 100e-6;
-constexpr std::size_t kMostChecks = 400'000;
+/// LiveOptions::most_checks. Half: searches of the puzzle that would find a way are ended; twice: one that finds none
+/// takes the rest of the session.
+constexpr std::size_t kMostChecks = 50'000;
 
 struct Limits {
   int runs = 10, first = 1;
@@ -116,6 +134,7 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
                  row.X_WM.p.y, row.X_WM.p.z, row.X_WM.q.w, row.X_WM.q.x, row.X_WM.q.y, row.X_WM.q.z, row.force_D.x,
                  row.force_D.y, row.force_D.z, row.contact ? "contact" : "");
   };
+  const std::clock_t begin = std::clock();
   const auto report = manipulation::runSession(options, trace);
   if (!report) {
     std::fprintf(stderr, "%s\n", report.error().message().c_str());
@@ -124,14 +143,19 @@ void handle(const AssistedScene& scene, std::uint64_t seed, double limit,
   tried.add(report->plan->solved, report->plan->solved_s);
   tried.most_step = std::max(tried.most_step, report->forces.force_max_step_n_per_ms);
   tried.most_led = std::max(tried.most_led, steps.most());
+  tried.most_pull = std::max(tried.most_pull, steps.mostOfPulls());
   tried.least_energy = std::min(tried.least_energy, report->forces.energy_min_j);
   tried.inside = std::max(tried.inside, report->forces.penetration_blocked_m);
   tried.ways += report->plan->ways;
   tried.insistences += report->plan->insistences;
   if (tells != nullptr) {
-    std::fprintf(stderr, "  seed %llu: %.2f s, %.3f N/ms at %.3f s (%.3f with impacts), %.3f mJ\n",
+    std::fprintf(stderr,
+                 "  seed %llu: %.2f s, %.3f N/ms at %.3f s (contacts %.3f, pulls %.3f; stylus %.3f, proxy %.3f m/s; "
+                 "%.3f with impacts; pulls alone %.3f), %.3f mJ, %.1f s of a processor\n",
                  static_cast<unsigned long long>(seed), report->plan->solved_s, steps.most(), steps.when(),
-                 report->forces.force_max_step_n_per_ms, 1e3 * report->forces.energy_min_j);
+                 steps.contactAtMost(), steps.pullAtMost(), steps.handAtMost(), steps.proxyAtMost(),
+                 report->forces.force_max_step_n_per_ms, steps.mostOfPulls(),
+                 1e3 * report->forces.energy_min_j, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   if (!report->plan->solved && tells != nullptr) {
     const Pose& X = report->end.X_WM;
@@ -178,14 +202,20 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
       live.seed = seed;
       live.most_checks = kMostChecks;
       live.in_virtual_time = true;
-      live.cost_s = [](const planning::PlanResult& result) { return kCheckTime * static_cast<double>(result.checks); };
+      std::size_t most_found = 0, most_failed = 0;
+      live.cost_s = [&](const planning::PlanResult& result) {
+        std::size_t& most = result.isSolved() ? most_found : most_failed;
+        most = std::max(most, result.checks);
+        return kCheckTime * static_cast<double>(result.checks);
+      };
       const auto planner_beside = std::make_shared<planning::LivePlanner>(std::move(live));
       handle(scene, seed, limits.seconds, planner_beside, both);
       if (std::getenv("ASSISTED_TELLS")) {
         const planning::LivePlanner::Figures figures = planner_beside->figures();
-        std::fprintf(stderr, "  seed %llu: %llu searches, %llu found, %llu given%s%s\n",
+        std::fprintf(stderr, "  seed %llu: %llu searches, %llu found, %llu given; checks at most %zu "
+                     "(found), %zu (not)%s%s\n",
                      static_cast<unsigned long long>(seed), static_cast<unsigned long long>(figures.searches),
-                     static_cast<unsigned long long>(figures.found), static_cast<unsigned long long>(figures.given),
+                     static_cast<unsigned long long>(figures.found), static_cast<unsigned long long>(figures.given), most_found, most_failed,
                      figures.failure ? ": " : "", figures.failure ? english(figures.failure->reason).c_str() : "");
       }
     }
@@ -197,10 +227,10 @@ void compare(const std::function<AssistedScene(std::uint64_t)>& make, const Limi
     std::snprintf(text, sizeof text, "%d of %d, %.2f s", tried.solved, tried.runs, tried.median(limits.seconds));
     return tried.runs > 0 ? std::string(text) : std::string("-");
   };
-  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.3f / %.3f | %.2f / %.2f |\n", name.c_str(),
+  std::printf("| %s | %s | %s | %s | %.1f | %.1f | %.3f / %.3f | %.3f / %.3f | %.3f | %.2f / %.2f |\n", name.c_str(),
               cell(hand).c_str(), cell(planner).c_str(), cell(both).c_str(), static_cast<double>(both.ways) / std::max(1, both.runs),
               static_cast<double>(both.insistences) / std::max(1, both.runs), hand.most_led, both.most_led,
-              hand.most_step, both.most_step, 1e3 * hand.least_energy, 1e3 * both.least_energy);
+              hand.most_step, both.most_step, both.most_pull, 1e3 * hand.least_energy, 1e3 * both.least_energy);
   std::fflush(stdout);
 }
 
@@ -225,8 +255,8 @@ int main(int argc, char** argv) {
   if (!limits.planner && !limits.hand && !limits.together) limits.planner = limits.hand = limits.together = true;
   if (wanted.empty()) wanted = {"extraction", "puzzle", "pipe", "robot"};
   std::printf("| scene | hand alone | planner alone | hand and planner | ways | insisted | N/ms, hand / both "
-              "| with impacts | mJ, hand / both |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+              "| with impacts | pulls | mJ, hand / both |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& one : wanted) {
     if (one == "extraction") compare([](std::uint64_t) { return extractionScene(); }, limits);
     if (one == "puzzle") compare([](std::uint64_t) { return wirePuzzleScene(); }, limits);

@@ -208,7 +208,10 @@ class Planning {
       way.insert(way.end(), found.path.begin() + 1, found.path.end());
       return true;
     };
+    const std::size_t before = result.checks;
     for (const Path& bridge : bridges()) {
+      // Bridges that are all out of reach are not to cost more than a search without them.
+      if (result.checks - before > problem_.most_checks) return {};
       if (!join({bridge.front()})) continue;
       way.insert(way.end(), bridge.begin() + 1, bridge.end());
     }

@@ -81,7 +81,8 @@ struct Problem {
   /// Poses of the tool (of a solid: of its own frame) that the motion passes, in this order.
   std::vector<Pose> through = {};
   /// Configurations that a way may pass, in their order: a way shown by hand, an older plan. Their free stretches are
-  /// kept as bridges and joined by the search; where that fails, and with `through`, the plan does without them.
+  /// kept as bridges and joined by the search; where that fails or takes `most_checks` checks, and with `through`, the
+  /// plan does without them.
   std::vector<EntityConfiguration> hints = {};
   std::uint64_t seed = 1;
   /// Checks (configurations and motions) that each of the searches may use between two places; what bounds the work.

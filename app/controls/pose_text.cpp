@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -45,6 +48,15 @@ Pose tcpPose_W(const workcell::Entity& robot, const Pose& X_WB, const std::vecto
   std::vector<Pose> X_BL;
   kinematics::forwardKinematics(*robot.robot(), joints, X_BL);
   return X_WB * X_BL[static_cast<std::size_t>(tip)] * robot.jointed().X_LT;
+}
+
+Pose gripPose_W(const workcell::Entity& entity, mannequin::Side side, const Pose& X_WE,
+                const std::vector<double>& joints) {
+  const mannequin::Figure& figure = *entity.figure();
+  const mannequin::FigurePose pose =
+      mannequin::forwardKinematics(figure, mannequin::toPosture(figure, {X_WE, joints}));
+  const Pose X_WH = mannequin::handPose(pose, side);
+  return {X_WH * figure.p_HandGrip[static_cast<std::size_t>(side)], X_WH.q};
 }
 
 }  // namespace hapticell::app

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/shapes/pose.h"
+#include "mannequin/body/skeleton.h"
 #include "workcell/entity/entity.h"
 
 namespace hapticell::app {
@@ -22,5 +23,9 @@ Pose poseFromNumbers(const std::array<double, 6>& numbers);
 /// The pose of a robot's tool centre point in the world, with its root at X_WB and its joint variables at `joints`.
 /// Returns the root's pose if the robot has no such tip link.
 Pose tcpPose_W(const workcell::Entity& robot, const Pose& X_WB, const std::vector<double>& joints);
+/// The grip of a mannequin's hand in the world (as by::Hand moves it), with its root at X_WE and its joint variables at
+/// `joints`. Contract: a mannequin.
+Pose gripPose_W(const workcell::Entity& entity, mannequin::Side side, const Pose& X_WE,
+                const std::vector<double>& joints);
 
 }  // namespace hapticell::app

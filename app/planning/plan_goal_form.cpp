@@ -17,8 +17,6 @@
 #include "app/kit/form.h"
 #include "app/style/value_field.h"
 #include "kinematics/model/robot_model.h"
-#include "mannequin/posture/forward_kinematics.h"
-#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 
@@ -43,11 +41,7 @@ std::vector<double> unitsOf(const workcell::Entity& robot, const PlanGoalForm::A
 
 /// The frame that a plan moves: the tool, the entity's own, or the grip of a mannequin's hand.
 Pose movedPose_W(const workcell::Entity& entity, mannequin::Side hand) {
-  if (entity.figure()) {
-    const auto posture = mannequin::toPosture(*entity.figure(), {entity.X_WE, entity.joints()});
-    const Pose X_WH = mannequin::handPose(mannequin::forwardKinematics(*entity.figure(), posture), hand);
-    return {X_WH * entity.figure()->p_HandGrip[static_cast<std::size_t>(hand)], X_WH.q};
-  }
+  if (entity.figure()) return gripPose_W(entity, hand, entity.X_WE, entity.joints());
   return entity.robot() ? tcpPose_W(entity, entity.X_WE, entity.joints()) : entity.X_WE;
 }
 

@@ -13251,6 +13251,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mannequin</translation>
     </message>
     <message>
+        <source>a mannequin can be planned for only while its left or right hand moves it, with nothing locked</source>
+        <translation>une trajectoire ne peut être planifiée pour un mannequin que si sa main gauche ou droite le déplace, sans rien de verrouillé</translation>
+    </message>
+    <message>
         <source>a mannequin's whole posture (moved: whole)</source>
         <translation>la posture entière d'un mannequin (moved: whole)</translation>
     </message>

@@ -108,6 +108,7 @@ void FeltPlan::look(const HeldEntity& held, const CellState& cell, double scale)
   view_.scene = cell.scene();
   view_.placements = cell.placements();
   view_.entity = held.id();
+  view_.hand = held.hand();
   view_.standing = standing;
   view_.X_WM = X_WM;
   view_.trail = trail_.trail();

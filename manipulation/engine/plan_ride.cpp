@@ -47,16 +47,13 @@ constexpr int kLooksNearer = 3;
 EntityConfiguration configurationAt(const HeldEntity& held, const PlannedWay& way,
                                     const trajectory::PathProgress& progress, double place) {
   EntityConfiguration at = held.accepted();
-  if (way.joints.empty()) {
+  if (way.postures.empty()) {
     at.X_WE = progress.expertAt(place) * held.movedFrame().inverse() * at.X_WE;
     return at;
   }
-  const double index = std::clamp(progress.timeAt(place), 0.0, static_cast<double>(way.joints.size() - 1));
-  const auto before = static_cast<std::size_t>(index), after = std::min(before + 1, way.joints.size() - 1);
-  at.joints = way.joints[before];
-  for (std::size_t i = 0; i < at.joints.size(); ++i)
-    at.joints[i] += (index - static_cast<double>(before)) * (way.joints[after][i] - at.joints[i]);
-  return at;
+  const double index = std::clamp(progress.timeAt(place), 0.0, static_cast<double>(way.postures.size() - 1));
+  const auto before = static_cast<std::size_t>(index), after = std::min(before + 1, way.postures.size() - 1);
+  return held.manipulator().between(way.postures[before], way.postures[after], index - static_cast<double>(before));
 }
 
 double farthestJoint(const EntityConfiguration& from, const EntityConfiguration& to) {
@@ -135,8 +132,8 @@ dvec3 directionOf(const trajectory::PathProgress& progress, double way) {
 bool PlanRide::carries(const HeldEntity& held, const PlannedWay& way, const MotionMapping& mapping) {
   if (!mapping.translatesFreely() || !mapping.rotates()) return false;
   const std::size_t joints = held.accepted().joints.size();
-  if (joints == 0) return way.joints.empty();
-  return way.joints.size() == way.X_WM.size() && way.joints.front().size() == joints;
+  if (joints == 0) return way.postures.empty();
+  return way.postures.size() == way.X_WM.size() && way.postures.front().joints.size() == joints;
 }
 
 bool PlanRide::strays() const {

@@ -9,7 +9,7 @@
 namespace hapticell::manipulation {
 
 /// Carries the held entity on the way of a planner, configuration by configuration, as far along as the hand has come:
-/// what the planner has found free is what is moved through, with the joints of the plan.
+/// what the planner has found free is what is moved through, with the joints or the posture of the plan.
 ///
 /// The hand's anchor goes along, so that the hand may wander beside the way without leading the entity off it. What of
 /// the hand's motion moves the entity is 1 minus the authority. Where the hand presses, the entity moves so slowly that

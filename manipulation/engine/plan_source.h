@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/shapes/pose.h"
 #include "manipulation/holding/held_model.h"
 #include "manipulation/manipulators/manipulator.h"
 #include "manipulation/scene/prepared_scene.h"
+#include "mannequin/body/skeleton.h"
 
 namespace hapticell::manipulation {
 
@@ -17,7 +19,8 @@ struct PlannedWay {
   std::uint64_t number = 0;   ///< Increases from way to way, from 1.
   std::uint64_t answers = 0;  ///< PlanView::insistences that this way takes into account.
   std::vector<Pose> X_WM;     ///< The moved frame, at least two poses, the last one at the goal. Straight between.
-  std::vector<std::vector<double>> joints = {};  ///< Of a robot, for each of X_WM (rad or m); a solid: empty.
+  /// Of a robot or mannequin: all of it, for each of X_WM; a solid: empty.
+  std::vector<EntityConfiguration> postures = {};
   double clearance = 0.002;                      ///< m that it keeps from everything.
 };
 
@@ -29,6 +32,7 @@ struct PlanView {
   std::int64_t time_ns = 0;  ///< Of the loop's clock.
   std::shared_ptr<const PreparedScene> scene;
   workcell::EntityId entity = 0;      ///< The held entity.
+  std::optional<mannequin::Side> hand = {};  ///< HeldEntity::hand().
   Placements placements;              ///< Where entities are that do not stand as in the scene.
   EntityConfiguration standing;       ///< Where it stands,
   Pose X_WM;                          ///< and its moved frame.

@@ -64,6 +64,8 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   EntityConfiguration taken = model.taken();
   HeldState state{std::move(model), std::move(*manipulator), std::move(taken),
                   std::move(pairs), std::move(motion),       std::move(notes)};
+  const auto* hand = std::get_if<by::Hand>(&options.moved_by);
+  if (hand != nullptr && !hand->locks.any()) state.hand = hand->side;
   return std::unique_ptr<HeldEntity>(new HeldEntity(std::move(state)));
 }
 

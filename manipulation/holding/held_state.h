@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/system/text.h"
 #include "manipulation/holding/held_model.h"
 #include "manipulation/holding/held_pairs.h"
+#include "mannequin/body/skeleton.h"
 
 namespace hapticell::manipulation {
 
@@ -22,6 +24,7 @@ struct HeldState {
   HeldPairs pairs;
   FreeMotion motion;
   std::vector<Text> notes;  ///< Notes from the taking.
+  std::optional<mannequin::Side> hand = {};  ///< Of a mannequin: the one hand that moves it.
 
   Pose movedFrame() const { return manipulator->movedFrame(accepted); }
   void moveObstacle(std::size_t obstacle, const Pose& X_W) {

@@ -52,6 +52,11 @@ Twist outOfMetric(const haptic::Vector6& d) {
   return {{d[0], d[1], d[2]}, dvec3(d[3], d[4], d[5]) / kSlideLever};
 }
 
+bool isThere(const Pose& X_WTarget, const Pose& X_WM) {
+  const Twist left = difference(X_WTarget, X_WM);
+  return glm::length(left.linear) < kArrived && kSlideLever * glm::length(left.angular) < kArrived;
+}
+
 /// A gradient over (dx, dtheta) with its value, as a half-space of the metric.
 haptic::SolverRow rowOf(const haptic::Vector6& gradient, double slack) {
   haptic::SolverRow row;
@@ -275,6 +280,8 @@ HeldWay::Followed HeldWay::follow(const Pose& X_DP, const MotionMapping& mapping
       if (std::sqrt(length) < kArrived) break;
       X_WTarget = displaced(X_WM, mapping.toCell(outOfMetric(solved.d)));
     }
+    // A figure that is carried on a way keeps the posture of the way where the hand asks for nothing else.
+    if (state_.hand && isThere(X_WTarget, X_WM)) break;
     const EntityConfiguration target = state_.manipulator->propose(state_.accepted, X_WTarget, duration_s);
     const MotionTime needed = state_.manipulator->leastTime(state_.accepted, target);
     // A robot whose joints swing round has way left: it goes on although the hand rests.

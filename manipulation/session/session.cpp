@@ -70,7 +70,7 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
     const haptic::HapticState& state = loop.current();
     const haptic::MetricVector carried{period * loop.lastRender().v_DO, dvec3(0.0)};
     engine.count({t, state.force_D, loop.renderer().applied(), loop.renderer().way(state.X_DS, X_DSBefore) - carried,
-                  loop.lastRender().stiffness});
+                  loop.lastRender().stiffness, loop.lastRender().load_D});
     X_DSBefore = state.X_DS;
     if (state.adopted_set != adopted) {
       adopted = state.adopted_set;
@@ -86,7 +86,7 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
     }
     if (trace) {
       trace({t, state.X_DS, state.X_DP, state.force_D, state.torque_D, state.buttons, engine.inContact(),
-             engine.movedFrame()});
+             engine.movedFrame(), loop.lastRender().load_D});
     }
   }
   SessionReport report = engine.finish(ended);

@@ -85,6 +85,7 @@ struct TraceRow {
   std::uint32_t buttons = 0;
   bool contact = false;
   Pose X_WM;  ///< The moved frame of the held entity, as shown; identity if nothing is held.
+  dvec3 pull_D{0.0};  ///< Part of it from pulls (of a plan) and loads, N; virtual time.
 };
 using TraceSink = std::function<void(const TraceRow&)>;
 
@@ -108,6 +109,7 @@ struct SessionPlan {
   std::uint64_t insistences = 0;  ///< How often the hand insisted on another way.
   bool solved = false;            ///< The goal was reached,
   double solved_s = 0.0;          ///< and when.
+  double pull_max_step_n_per_ms = 0.0;  ///< Of pulls and loads alone, at all times; virtual time only.
   /// Authority that acted: time (s) and value, each 0.1 s.
   std::vector<std::pair<double, double>> authority;
 };

@@ -113,6 +113,7 @@ SessionReport WatchedEngine::finish(double duration) {
   report_.forces.energy_min_j = forces_.leastEnergy();
   report_.forces.penetration_max_m = penetration_.worst();
   report_.forces.penetration_blocked_m = penetration_.worstBlocked();
+  if (report_.plan) report_.plan->pull_max_step_n_per_ms = forces_.maxPullStep();
   report_.contacts = contacts_.contacts();
   report_.limits = limits_.limits();
   report_.joints = joints_.joints();

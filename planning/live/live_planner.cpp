@@ -137,7 +137,7 @@ struct LivePlanner::Worker {
     way->number = ++figures.given;
     way->answers = found.answers;
     way->X_WM = std::move(found.X_WM);
-    way->joints = std::move(found.joints);
+    way->postures = std::move(found.postures);
     way->clearance = options.clearance;
     given = std::move(way);
     best_left = found.length;
@@ -161,6 +161,12 @@ struct LivePlanner::Worker {
 
   void lookInVirtualTime(const manipulation::PlanView& view) {
     watch(view);
+    // As in a thread: what is being searched for the hand as it was before is of no use.
+    if (pending && pending->answers != view.insistences) {
+      book(*pending);
+      pending.reset();
+      next_ns = view.time_ns + static_cast<std::int64_t>(1e9 * options.period_s);
+    }
     if (pending && view.time_ns >= due_ns) {
       book(*pending);
       search.join(*pending, view);

@@ -22,7 +22,7 @@ struct LiveOptions {
                                  ///< of a recording.
   std::uint64_t seed = 1;
   double period_s = 0.1;             ///< s from the end of one search to the start of the next one.
-  std::size_t most_checks = 20'000;  ///< Of one search.
+  std::size_t most_checks = 20'000;  ///< Problem::most_checks of a search.
   double most_seconds = 5.0;         ///< Wall time of one search; not in virtual time, where its checks alone end it.
   /// True: look() itself searches, and the path becomes available after `cost_s` of the search, in seconds of the
   /// loop's clock. The same motion of the hand then gives the same paths.
@@ -36,7 +36,8 @@ struct LiveOptions {
 ///
 /// A way stays as long as it is followed, unless a new one is a fifth shorter. If the hand insists on another way, the
 /// next plan must pass a place towards which the hand pushes; where the hand has been is given to every search as a
-/// hint. A robot is planned for by its joints if the hand holds its tool. A start that is nearer to something than the
+/// hint. A robot is planned for by its joints if the hand holds its tool, a mannequin by its posture if the hand holds
+/// one of its hands. A start that is nearer to something than the
 /// clearance is left first. Calls of PlanSource by the manipulation thread; the figures by any thread.
 class LivePlanner final : public manipulation::PlanSource {
  public:

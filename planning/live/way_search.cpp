@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "planning/standing_figure.h"
 #include "trajectory/motion/trajectory.h"
 
 namespace hapticell::planning {
@@ -30,6 +31,9 @@ constexpr double kAhead[] = {3.0, 2.0, 1.0, 0.5};
 /// Configurations of the hand's way that are given to a search, evenly. Half: bridges in coarse steps; twice: more
 /// checks before each search.
 constexpr std::size_t kMostHints = 64;
+/// Of the checks of a search: for a way that passes where the hand pushes, as any other way will do too. Half: a
+/// place from which nothing leads on costs twice as much; twice: narrow ways through it are missed.
+constexpr std::size_t kPassedShare = 4;
 /// s of a search in virtual time: its checks alone end it, so that the load of the machine decides nothing.
 constexpr double kNoLimit = 1e6;
 
@@ -57,11 +61,16 @@ std::vector<EntityConfiguration> thinned(const std::vector<EntityConfiguration>&
 }  // namespace
 
 Expected<void> WaySearch::prepare(const manipulation::PlanView& view) {
-  if (view.scene == scene_ && view.entity == entity_ && space_) return {};
+  // A mannequin's feet stay where they are now, and so does all that its hand does not move.
+  const bool goes_on = !view.hand && !hand_;
+  if (view.scene == scene_ && view.entity == entity_ && space_ && goes_on) return {};
   scene_ = view.scene;
   entity_ = view.entity;
+  hand_ = view.hand;
   space_.reset();
-  auto made = FreeSpace::create(view.scene, view.entity, configuration_, view.placements);
+  manipulation::Placements placements = view.placements;
+  if (hand_) placements[entity_] = view.standing;
+  auto made = FreeSpace::create(view.scene, view.entity, configuration_, placements, hand_);
   HAPTICELL_TRY(made);
   space_.emplace(std::move(*made));
   return {};
@@ -76,7 +85,11 @@ std::optional<EntityConfiguration> WaySearch::freeStart(const EntityConfiguratio
   for (int i = 0; i < kTries; ++i) {
     const double reach = kFarthest * std::max(0.05, static_cast<double>(i) / kTries);
     EntityConfiguration near = at;
-    if (space_->hasJoints()) {
+    if (const StandingFigure* figure = space_->figure()) {
+      StandingFigure::Numbers numbers = figure->numbersOf(at);
+      for (double& number : numbers) number += reach * normal(random);
+      near = figure->configurationOf(numbers);
+    } else if (space_->hasJoints()) {
       for (double& joint : near.joints) joint += reach * normal(random);
     } else {
       const dvec3 way(normal(random), normal(random), normal(random)), turn(normal(random), normal(random), normal(random));
@@ -135,18 +148,18 @@ void WaySearch::sample(Found& found) const {
   const std::vector<EntityConfiguration>& waypoints = found.waypoints;
   found.length = 0.0;
   found.X_WM.clear();
-  found.joints.clear();
+  found.postures.clear();
   const auto add = [&](const EntityConfiguration& at) {
     const Pose X_WM = space_->toolAt(at) * found.X_TM;
     const double way = found.X_WM.empty() ? 0.0 : wayBetween(found.X_WM.back(), X_WM);
     if (!found.X_WM.empty() && way < 1e-6) {
       // The arm moves behind a tool at rest: it is to get there before the tool goes on.
-      if (space_->hasJoints()) found.joints.back() = at.joints;
+      if (space_->hasJoints()) found.postures.back() = at;
       return;
     }
     found.length += way;
     found.X_WM.push_back(X_WM);
-    if (space_->hasJoints()) found.joints.push_back(at.joints);
+    if (space_->hasJoints()) found.postures.push_back(at);
   };
   add(waypoints.front());
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
@@ -160,7 +173,7 @@ void WaySearch::sample(Found& found) const {
   }
   if (found.X_WM.size() >= 2) return;
   found.X_WM.clear();
-  found.joints.clear();
+  found.postures.clear();
 }
 
 void WaySearch::join(Found& found, const manipulation::PlanView& now) {
@@ -202,6 +215,10 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
     failure.reason = std::move(reason);
     return found;
   };
+  const workcell::Entity* entity = view.scene ? view.scene->find(view.entity) : nullptr;
+  if (entity != nullptr && entity->figure() != nullptr && !view.hand)
+    return fail(Failure::Kind::kStart,
+                Text("a mannequin can be planned for only while its left or right hand moves it, with nothing locked"));
   if (const auto prepared = prepare(view); !prepared) return fail(Failure::Kind::kStart, prepared.error().text());
   ++searches_;
   const Pose X_TM = space_->toolAt(view.standing).inverse() * view.X_WM;
@@ -215,6 +232,7 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   Problem problem;
   problem.scene = view.scene;
   problem.entity = view.entity;
+  problem.hand = view.hand;
   problem.placements = view.placements;
   problem.start = waypoints.back();
   problem.goal = options_.goal;
@@ -223,25 +241,30 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   problem.most_checks = options_.most_checks;
   problem.time_limit_s = options_.in_virtual_time ? kNoLimit : options_.most_seconds;
   problem.stop = stop;
-  if (const auto passed = passedByHand(view, waypoints.back())) problem.through = {*passed};
+  if (const auto passed = passedByHand(view, waypoints.back())) {
+    problem.through = {*passed};
+    problem.most_checks = std::max<std::size_t>(1, options_.most_checks / kPassedShare);
+  }
   auto planned = plan(problem, *space_);
   const auto fails = [&] {
     return planned && !planned->plan && planned->failure->kind != Failure::Kind::kCancelled;
   };
+  const auto tryAgain = [&] {
+    const std::size_t before = planned->checks;
+    planned = plan(problem, *space_);
+    if (planned) planned->checks += before;
+  };
+  if (!problem.through.empty() && fails()) {
+    // Nothing leads on from there: any way is better than none.
+    problem.through.clear();
+    problem.most_checks = options_.most_checks;
+    tryAgain();
+  }
   if (fails()) {
     // What the hand has shown is a bridge where the search by itself finds none; else it would lead back first.
     problem.hints = hintsFor(view);
-    const std::size_t before = planned->checks;
-    planned = plan(problem, *space_);
-    if (planned) planned->checks += before;
-  }
-  const bool through = !problem.through.empty();
-  if (through && fails()) {
-    // Nothing leads on from there: any way is better than none.
-    problem.through.clear();
-    const std::size_t before = planned->checks;
-    planned = plan(problem, *space_);
-    if (planned) planned->checks += before;
+    problem.seed = ~problem.seed;  // The same search once more would fail as before.
+    tryAgain();
   }
   if (!planned) return fail(Failure::Kind::kStart, planned.error().text());
   found.result = std::move(*planned);

@@ -13,7 +13,7 @@
 namespace hapticell::planning {
 
 /// One search of a LivePlanner: from the newest state of the hand to a way of the moved frame. Keeps the space of its
-/// scene between searches. One thread.
+/// scene between searches; for a mannequin it is made from each posture. One thread.
 class WaySearch {
  public:
   WaySearch(const LiveOptions& options, const config::Configuration& configuration)
@@ -22,7 +22,7 @@ class WaySearch {
   struct Found {
     PlanResult result;
     std::vector<Pose> X_WM;     ///< Empty: no way.
-    std::vector<std::vector<double>> joints;  ///< As PlannedWay::joints.
+    std::vector<EntityConfiguration> postures;  ///< As PlannedWay::postures.
     double length = 0.0;        ///< m, with 0.1 m a radian.
     std::uint64_t answers = 0;  ///< As PlannedWay::answers.
     std::vector<EntityConfiguration> waypoints;  ///< Of it, from where the entity stood; straight between.
@@ -49,6 +49,7 @@ class WaySearch {
   const config::Configuration configuration_;
   std::shared_ptr<const manipulation::PreparedScene> scene_;
   workcell::EntityId entity_ = 0;
+  std::optional<mannequin::Side> hand_;
   std::optional<FreeSpace> space_;
   std::uint64_t searches_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/controls/pose_text.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/kit/form.h"
@@ -146,7 +147,14 @@ void PlanSection::takePresent() {
   if (!moved) return;
   const manipulation::EntityConfiguration at = presentOf(*moved, now);
   PlanControl::Target target{id, planning::goal::ToPose{at.X_WE}, at.X_WE, tr("the place that you showed")};
-  if (moved->robot()) target.goal = planning::goal::ToJoints{at.joints};
+  const manipulation::MovedBy moved_by = controller_.movedBy();
+  const auto* hand = std::get_if<manipulation::by::Hand>(&moved_by);
+  if (moved->figure() && hand) {
+    target.X_WT = gripPose_W(*moved, hand->side, at.X_WE, at.joints);
+    target.goal = planning::goal::ToPose{target.X_WT};
+  } else if (moved->robot()) {
+    target.goal = planning::goal::ToJoints{at.joints};
+  }
   controller_.plan().setTarget(std::move(target));
   show();
 }

@@ -36,7 +36,7 @@ class ScriptedPlans final : public PlanSource {
     made->number = ++given;
     made->answers = answers;
     made->X_WM = std::move(X_WM);
-    made->joints = std::move(joints);
+    for (std::vector<double>& one : joints) made->postures.push_back({{}, std::move(one)});
     way = std::move(made);
   }
 

@@ -113,6 +113,21 @@ TEST(LivePlanner, PassesWhereTheHandInsists) {
   expectFree(*answer);
 }
 
+/// What is being searched for the hand as it was before is of no use.
+TEST(LivePlanner, GivesUpASearchInVirtualTimeWhenTheHandInsists) {
+  LiveOptions options = throughWindow();
+  int searches = 0;
+  options.cost_s = [&searches](const PlanResult&) { return ++searches == 1 ? 100.0 : 0.1; };
+  LivePlanner planner(options);
+  PlanView view = viewOf(prepared());
+  EXPECT_EQ(wayOf(planner, view, 1.0), nullptr);
+  view.insistences = 1;
+  view.push_W = {0.0, 0.0, 0.03};
+  const auto answer = wayOf(planner, view, 1.0);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->answers, 1U);
+}
+
 TEST(LivePlanner, LeavesAStartThatTouches) {
   auto entities = windowCell();
   entities[0].X_WE.p.x = -0.03 - 1e-4;  // 0.1 mm from the wall.
@@ -256,15 +271,15 @@ TEST(LivePlanner, GivesTheJointsOfARobotsWay) {
   const auto way = wayOf(planner, view, 5.0);
   ASSERT_TRUE(way);
   EXPECT_EQ(way->clearance, 0.004);
-  ASSERT_EQ(way->joints.size(), way->X_WM.size());
-  EXPECT_EQ(way->joints.front(), view.standing.joints);
+  ASSERT_EQ(way->postures.size(), way->X_WM.size());
+  EXPECT_EQ(way->postures.front().joints, view.standing.joints);
   auto space = FreeSpace::create(view.scene, 1, {});
   ASSERT_TRUE(space.has_value());
-  for (std::size_t i = 0; i < way->joints.size(); ++i) {
-    const Pose X_WT = space->toolAt({{}, way->joints[i]});
+  for (std::size_t i = 0; i < way->postures.size(); ++i) {
+    const Pose X_WT = space->toolAt({{}, way->postures[i].joints});
     EXPECT_LT(glm::distance(X_WT.p, way->X_WM[i].p), 1e-5);
     if (i > 0) {
-      EXPECT_TRUE(space->isFree({{}, way->joints[i - 1]}, {{}, way->joints[i]})) << i;
+      EXPECT_TRUE(space->isFree({{}, way->postures[i - 1].joints}, {{}, way->postures[i].joints})) << i;
     }
   }
 }

@@ -81,5 +81,32 @@ TEST(WaySearch, SaysWhyThereIsNone) {
   EXPECT_NE(english(inside.result.failure->reason).find("no room around"), std::string::npos);
 }
 
+/// Beyond a closed wall, the hand's own way in pieces that nothing joins.
+TEST(WaySearch, EndsWithAFewTimesItsChecksWhereThereIsNoWay) {
+  auto entities = test::windowCell();
+  entities.push_back(manipulation::test::solid(6, "closed", geometry::makeBox({0.02, 2.0, 2.0}), Pose::translation({0.05, 0.0, 0.0})));
+  entities.push_back(manipulation::test::solid(7, "back", geometry::makeBox({0.02, 2.0, 2.0}), Pose::translation({-0.2, 0.0, 0.0})));
+  for (const double side : {-1.0, 1.0}) {
+    const auto id = static_cast<workcell::EntityId>(9.0 + side);
+    entities.push_back(manipulation::test::solid(id, "side", geometry::makeBox({0.3, 0.02, 2.0}), Pose::translation({-0.08, side * 0.2, 0.0})));
+    entities.push_back(manipulation::test::solid(id + 10, "end", geometry::makeBox({0.3, 0.4, 0.02}), Pose::translation({-0.08, 0.0, side * 0.2})));
+  }
+  LiveOptions options = throughWindow();
+  options.most_checks = 1000;
+  PlanView view = viewOf(manipulation::PreparedScene::prepare(entities, {}, {}));
+  manipulation::Trail trail;
+  for (int i = 0; i < 32; ++i) {
+    trail.push_back({Pose::translation({0.12, 0.1 * i - 1.6, 0.0}), {}});  // Beyond the wall,
+    trail.push_back({Pose::translation({0.05, 0.0, 0.0}), {}});            // and within it.
+  }
+  trail.push_back(view.standing);
+  view.trail = std::make_shared<const manipulation::Trail>(std::move(trail));
+  WaySearch search(options, {});
+  const WaySearch::Found found = search.find(view, nullptr);
+  ASSERT_TRUE(found.result.failure);
+  EXPECT_EQ(found.result.failure->kind, Failure::Kind::kNoWay) << english(found.result.failure->reason);
+  EXPECT_LT(found.result.checks, 10 * options.most_checks);
+}
+
 }  // namespace
 }  // namespace hapticell::planning

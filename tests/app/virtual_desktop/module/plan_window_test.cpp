@@ -4,10 +4,13 @@
 
 #include <QProgressBar>
 #include <QSlider>
+#include <algorithm>
 
 #include "app/virtual_desktop/module/plan_control.h"
+#include "manipulation/holding/held_entity.h"
 #include "tests/app/pages/cell_page.h"
 #include "tests/app/pages/server_first.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {
@@ -99,6 +102,33 @@ TEST(PlanWindow, APlaceThatIsShownIsAGoalAndTheCellsEndForgetsIt) {
   EXPECT_TRUE(page.says("box is at the goal")) << page.state().toStdString();
   page.window().documentModel().undo();  // The goal is no part of the document.
   EXPECT_TRUE(page.find<QAbstractButton>("buttonPlanStart")->isEnabled());
+}
+
+TEST(PlanWindow, TheGripOfTheHandThatMovesAMannequinIsItsGoal) {
+  PlanPage page;
+  workcell::EntityLoader loader("/");
+  Diagnostics notes;
+  workcell::Entity worker = *loader.load("mannequin:male:50", 0.0, notes);
+  worker.name = "worker";
+  worker.X_WE.p.x += 2.0;
+  ASSERT_TRUE(page.window().documentModel().execute(workcell::AddEntity{worker}));
+  page.select(page.document().findByName("worker")->id);
+  auto* entity = page.find<QComboBox>("comboEntity");
+  entity->setCurrentIndex(entity->findText("worker"));
+  emit entity->activated(entity->currentIndex());
+  page.window().holdChoice().set(by::Hand{mannequin::Side::kLeft});
+  page.press("buttonPlanPresent");
+  EXPECT_TRUE(page.says("worker should go to: the place that you showed"));
+  // As the hold itself has it.
+  const auto scene = manipulation::PreparedScene::prepare(page.document().snapshotEntities(), {}, {});
+  const workcell::EntityId id = page.document().findByName("worker")->id;
+  const auto held = manipulation::HeldEntity::take(scene, id, {}, {by::Hand{mannequin::Side::kLeft}}, {});
+  ASSERT_TRUE(held.has_value());
+  const dvec3 p_WGrip = (*held)->movedFrame().p;
+  const auto curves = page.window().viewport().allCurves();
+  EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const SceneCurve& curve) {
+    return !curve.points_W.empty() && glm::distance(curve.points_W.front(), p_WGrip) < 1e-9;
+  })) << "the goal's axes are drawn there";
 }
 
 TEST(PlanWindow, TellsWhyThereIsNoWay) {
