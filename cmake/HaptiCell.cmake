@@ -12,6 +12,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)  # By 8 a sixth more to compile; more than 16 make an edit of one source slow to try.
 
 find_program(HAPTICELL_CCACHE ccache)
 if(HAPTICELL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
