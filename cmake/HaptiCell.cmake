@@ -12,6 +12,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)  # By 8 a sixth more to compile; more than 16 make an edit of one source slow to try.
 
 find_program(HAPTICELL_CCACHE ccache)
 if(HAPTICELL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
@@ -95,8 +96,8 @@ target_link_libraries(hapticell_program_headers PRIVATE glm::glm tl::expected ha
 target_precompile_headers(hapticell_program_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
 
 # For what waits for the user, files or the network: a fifth to a third less to compile than by -O3, and nobody feels the
-# difference. Not for what links the engine's static libraries: of an inline function that a program and a library both hold,
-# the linker takes the program's. hapticell::engine keeps its own.
+# difference. Of an inline function that two libraries both hold, the linker takes the first: hapticell::engine holds these
+# libraries after all others. A program that links the engine's static libraries has others first, too, or feels nothing.
 # With less known of the flow, g++ warns of values that are always set.
 set(HAPTICELL_SELDOM_RUN "$<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>")
 
@@ -116,15 +117,16 @@ function(hapticell_linked_as target way)
   set_target_properties(${target} PROPERTIES INTERFACE_HAPTICELL_LINKED ${way} COMPATIBLE_INTERFACE_STRING HAPTICELL_LINKED)
 endfunction()
 
-# hapticell_add_library(NAME [INTERNAL] SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...]
+# hapticell_add_library(NAME [INTERNAL] [SELDOM_RUN] SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...]
 #                       [PRECOMPILED <headers>...])
 #
 # A library with the alias hapticell::NAME. HEADERS are public (docs/library/index.md): they are installed, and what they declare is
 # seen outside of hapticell::engine. They are found as "folder/file.h" from the project's root, and as <folder/file.h> under
 # include/hapticell once installed. Headers that only the project uses stand among the SOURCES. INTERNAL: for the project's own
-# programs; it is neither installed nor part of hapticell::engine. Sources with flags of their own skip what is precompiled.
+# programs; it is neither installed nor part of hapticell::engine. SELDOM_RUN: HAPTICELL_SELDOM_RUN. Sources with
+# flags of their own skip what is precompiled.
 function(hapticell_add_library name)
-  cmake_parse_arguments(ARG "INTERNAL" "" "SOURCES;HEADERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ARG "INTERNAL;SELDOM_RUN" "" "SOURCES;HEADERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
   set(target hapticell_${name})
   hapticell_find_headers(headers)
   set(built "")
@@ -141,6 +143,11 @@ function(hapticell_add_library name)
   target_link_libraries(${target} PUBLIC hapticell::interface ${ARG_PUBLIC}
     PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
   target_compile_options(${target} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
+  set(engine_part HAPTICELL_ENGINE_LIBRARIES)
+  if(ARG_SELDOM_RUN)
+    target_compile_options(${target} PRIVATE ${HAPTICELL_SELDOM_RUN})
+    set(engine_part HAPTICELL_SELDOM_RUN_LIBRARIES)
+  endif()
   if(headers STREQUAL hapticell_unsanitized_headers)
     target_compile_options(${target} PRIVATE -fno-sanitize=all)
   endif()
@@ -155,7 +162,7 @@ function(hapticell_add_library name)
   hapticell_linked_as(${target} static)
   set_property(GLOBAL APPEND PROPERTY HAPTICELL_BUILT_LIBRARIES ${built})
   set_property(GLOBAL APPEND PROPERTY HAPTICELL_LIBRARIES ${target})
-  set_property(GLOBAL APPEND PROPERTY HAPTICELL_ENGINE_LIBRARIES ${target})
+  set_property(GLOBAL APPEND PROPERTY ${engine_part} ${target})
   foreach(header IN LISTS ARG_HEADERS)
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
     cmake_path(GET header PARENT_PATH below)

@@ -3,6 +3,9 @@
 # for those of others (docs/library/index.md). The haptic server, the importer and the drivers link the libraries themselves:
 # they are small and stand alone.
 get_property(hapticell_engine_libraries GLOBAL PROPERTY HAPTICELL_ENGINE_LIBRARIES)
+# Last: the linker takes the first of equal inline functions, and that has to be the faster one.
+get_property(hapticell_seldom_run_libraries GLOBAL PROPERTY HAPTICELL_SELDOM_RUN_LIBRARIES)
+list(APPEND hapticell_engine_libraries ${hapticell_seldom_run_libraries})
 
 set(hapticell_engine_objects ${hapticell_engine_libraries})
 list(TRANSFORM hapticell_engine_objects REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")

@@ -11,7 +11,7 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kTick = 0.001;
+constexpr double kSweepTick = 0.001;
 constexpr double kHalfWidth = 0.05, kHalfThickness = 0.0005;
 /// m/s of the sweeps (0.05 to 1.0): a fast hand in free air. It sets the zone that a client asks for; half: sweeps
 /// leave it, and it holds them; twice: twice the zone.
@@ -71,17 +71,17 @@ void run(const Sweep& sweep, const FeelScene& plate, const SweepSetup& setup, Sw
   way->reset(Pose::translation(sweep.from));
   double t = 0.0;
   // The client has time to speak first, as behind the engage gate.
-  for (; t < setup.rate.latency + 0.005; t += kTick) {
+  for (; t < setup.rate.latency + 0.005; t += kSweepTick) {
     client.step(t, *way);
-    way->tick(Pose::translation(sweep.from), kTick);
+    way->tick(Pose::translation(sweep.from), kSweepTick);
   }
   const double start = t, duration = sweep.duration();
   if (setup.stalls) client.stall(start + 0.3 * duration, start + 0.3 * duration + 0.3);
   dvec3 before = sweep.from;
-  for (; t < start + duration; t += kTick) {
+  for (; t < start + duration; t += kSweepTick) {
     const dvec3 p_DS = sweep.at(t - start);
     client.step(t, *way);
-    const haptic::RenderResult result = way->tick(Pose::translation(p_DS), kTick);
+    const haptic::RenderResult result = way->tick(Pose::translation(p_DS), kSweepTick);
     outcome.penetration = std::max(outcome.penetration, plate.penetration(result.X_DP, t));
     outcome.pops += crossesPlate(before, result.X_DP.p) ? 1 : 0;
     outcome.blocked += isBlocked(result, p_DS) ? 1 : 0;

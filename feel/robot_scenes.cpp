@@ -23,7 +23,7 @@ constexpr int kForearm = 3;  // Joint that carries the forearm, counted from 1.
 constexpr double kLimitAhead = 0.02;
 /// m to the wall, so that the scene begins free. Half and twice: 5 and 20 mm of approach in the same 0.3 s.
 constexpr double kWallAhead = 0.01;
-constexpr double kArmWay = 0.03, kRate = 1.667;  // m and ways per second: 0.1 m/s.
+constexpr double kArmWay = 0.03, kWaysPerSecond = 1.667;  // m and ways per second: 0.1 m/s.
 
 std::vector<double> restJoints() {
   return {0.0, 0.3, 0.6, 0.2, 0.7, 0.0};
@@ -48,7 +48,7 @@ class RobotScene : public FeelScene {
     return std::max(lag, inside(X_DP, t));
   }
   dvec3 handAt(double t, double press) const override {
-    return surface_ + kArmWay * triangleWave(t, kRate) * along_ - press * normal_;
+    return surface_ + kArmWay * triangleWave(t, kWaysPerSecond) * along_ - press * normal_;
   }
   dvec3 rest() const override { return surface_; }
   dvec3 pressDirection() const override { return -normal_; }

@@ -27,7 +27,7 @@ constexpr double kTurnLever = Passing::kPosition / Passing::kTurn;
 /// slide visibly.
 constexpr double kFeet = 3e-4;
 /// rad beyond a limit: rounding of the curves, as for robots.
-constexpr double kBeyond = 2e-5;
+constexpr double kBeyondPose = 2e-5;
 
 struct Placed {
   Pose X_WE;
@@ -169,7 +169,7 @@ std::vector<Promise> figurePromises(const Trajectory& motion, const std::vector<
     inside = margin;
     where_balance = whenText(motion[i].t);
   }
-  std::vector<Promise> promises{{"limits", 0.0, beyond, "rad", where_beyond, false, kBeyond},
+  std::vector<Promise> promises{{"limits", 0.0, beyond, "rad", where_beyond, false, kBeyondPose},
                                 {"feet", kFeet, off_feet, "m", where_feet, false, 0.0}};
   if (inside_first >= 0.0) promises.push_back({"balance", 0.0, inside, "m", where_balance, true, 1e-6});
   return promises;

@@ -19,7 +19,7 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 // Parts by the first bits of the hash: one of ten million vertices' fits the second cache. Half, twice: no effect.
 constexpr std::size_t kParts = 1024;
 // Vertices for a thread to be worth it. Half, twice: no effect.
-constexpr std::size_t kLeast = 20'000;
+constexpr std::size_t kWorthAThread = 20'000;
 
 /// A vertex in a cell that it stands in or that its tolerance reaches.
 struct Visit {
@@ -62,7 +62,7 @@ class Visits {
   std::vector<std::uint32_t> crowded() const {
     std::vector<std::uint8_t> marks;
     marks.resize(vertices_.size());
-    inRanges(kParts, rangesOf(vertices_.size(), kLeast), [&](std::size_t, std::size_t first, std::size_t last) {
+    inRanges(kParts, rangesOf(vertices_.size(), kWorthAThread), [&](std::size_t, std::size_t first, std::size_t last) {
       Chains chains;
       for (std::size_t part = first; part < last; ++part) {
         mark(std::span(visits_).subspan(begin_[part], begin_[part + 1] - begin_[part]), chains, marks);
@@ -86,7 +86,7 @@ class Visits {
 
   /// By the part, then by the vertex.
   void sort() {
-    const std::size_t ranges = rangesOf(vertices_.size(), kLeast);
+    const std::size_t ranges = rangesOf(vertices_.size(), kWorthAThread);
     std::vector<Counts> places(ranges, Counts{});
     inRanges(vertices_.size(), ranges, [&](std::size_t range, std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) eachCell(v, [&](std::uint64_t hash) { ++places[range][partOf(hash)]; });

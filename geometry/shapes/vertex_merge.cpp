@@ -23,7 +23,7 @@ std::uint32_t hashOf(const Cell& cell) {
   return static_cast<std::uint32_t>((hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9ull >> 32);
 }
 
-std::int64_t roundedDown(double value) {
+std::int64_t cellBelow(double value) {
   const auto whole = static_cast<std::int64_t>(value);
   return static_cast<double>(whole) > value ? whole - 1 : whole;
 }
@@ -67,7 +67,7 @@ class VertexGrid {
   };
 
   Cell cellOf(const dvec3& point) const {
-    return {roundedDown(point.x * per_cell_), roundedDown(point.y * per_cell_), roundedDown(point.z * per_cell_)};
+    return {cellBelow(point.x * per_cell_), cellBelow(point.y * per_cell_), cellBelow(point.z * per_cell_)};
   }
 
   /// Where the chain of that hash begins, or would.

@@ -30,11 +30,11 @@ Twist along(std::size_t i, double amount) {
   return twist;
 }
 
-Twist scaled(const Twist& twist, double factor) {
+Twist times(const Twist& twist, double factor) {
   return {factor * twist.linear, factor * twist.angular};
 }
 
-Twist sum(const Twist& a, const Twist& b) {
+Twist plus(const Twist& a, const Twist& b) {
   return {a.linear + b.linear, a.angular + b.angular};
 }
 
@@ -128,21 +128,21 @@ std::vector<PartDifferential> RobotBaseManipulator::differentiate(const EntityCo
   for (std::size_t k = 0; k < parts_; ++k) {
     result[k].p_WPo = X_W0[k].p;
     for (std::size_t i = 0; i < 6; ++i) {
-      result[k].velocity[i] = scaled(sum(ahead[i][k], scaled(back[i][k], -1.0)), 0.5 / kDifference);
+      result[k].velocity[i] = times(plus(ahead[i][k], times(back[i][k], -1.0)), 0.5 / kDifference);
       result[k].acceleration[packedIndex(i, i)] =
-          scaled(sum(ahead[i][k], back[i][k]), 1.0 / (kDifference * kDifference));
+          times(plus(ahead[i][k], back[i][k]), 1.0 / (kDifference * kDifference));
     }
   }
   std::vector<Twist> both, against;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = i + 1; j < 6; ++j) {
-      moved(sum(along(i, kDifference), along(j, kDifference)), both);
-      moved(sum(along(i, kDifference), along(j, -kDifference)), against);
+      moved(plus(along(i, kDifference), along(j, kDifference)), both);
+      moved(plus(along(i, kDifference), along(j, -kDifference)), against);
       for (std::size_t k = 0; k < parts_; ++k) {
         // f(h, h) - f(h, -h) = 2 h f_j + 2 h^2 f_ij, to third order.
         const Twist mixed =
-            sum(sum(both[k], scaled(against[k], -1.0)), scaled(result[k].velocity[j], -2.0 * kDifference));
-        result[k].acceleration[packedIndex(i, j)] = scaled(mixed, 0.5 / (kDifference * kDifference));
+            plus(plus(both[k], times(against[k], -1.0)), times(result[k].velocity[j], -2.0 * kDifference));
+        result[k].acceleration[packedIndex(i, j)] = times(mixed, 0.5 / (kDifference * kDifference));
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,9 @@ struct Mesh {
   std::shared_ptr<const collision::MeshCollider> collider;
   std::string name;
 };
+
+/// No limit to a distance that is asked for, metres.
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// What Python sees as hapticell.Distance.
 using Distance = collision::DistanceResult;

@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "collision/queries/contact_regions.h"
@@ -25,8 +24,6 @@ namespace {
 
 using collision::MeshCollider;
 using geometry::TriangleMesh;
-
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Mesh built(const TriangleMesh& mesh, std::string name) {
   const py::gil_scoped_release unlocked;
@@ -105,10 +102,6 @@ struct DistanceRow {
   bool colliding, contained;
   double point_a[3], point_b[3], normal[3];
 };
-
-void put(const dvec3& v, double (&to)[3]) {
-  to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
 
 DistanceRow rowOf(const Distance& result) {
   DistanceRow row{result.distance, result.colliding, result.contained, {}, {}, {}};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <optional>
 
 #include "collision/queries/pose_batch.h"
@@ -19,8 +18,6 @@ namespace hapticell::python {
 namespace {
 
 using collision::PartIndex;
-
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// What Python sees as hapticell.Scene: parts by their numbers.
 struct Scene {
@@ -76,7 +73,7 @@ collision::Scene sceneOf(Scene& self, PartIndex part) {
   return own;
 }
 
-BatchRow rowOf(const collision::Scene& scene, const std::optional<collision::PairDistance>& found, double limit) {
+BatchRow batchRowOf(const collision::Scene& scene, const std::optional<collision::PairDistance>& found, double limit) {
   if (!found) return {limit, -1, false, {}, {}};
   const dvec3 &p = found->result.p_WA, &other = found->result.p_WB;
   return {found->result.distance,
@@ -94,7 +91,7 @@ py::array distances(Scene& self, std::size_t number, py::handle poses, double li
   std::atomic<bool> stop{false};
   const auto measure = [&] {
     const auto batch = collision::nearestAtPoses(scene, 0, X_WP, {limit, false, threads, &stop});
-    for (const auto& nearest : batch.nearest) rows.push_back(rowOf(scene, nearest, limit));
+    for (const auto& nearest : batch.nearest) rows.push_back(batchRowOf(scene, nearest, limit));
   };
   constexpr std::size_t kFew = 256;  // Poses that take some ms at most, less than a thread's start is worth. Half: the same.
   if (X_WP.size() <= kFew) {

@@ -29,13 +29,6 @@ struct TraceRow {
   bool contact;
 };
 
-void put(const dvec3& v, double (&to)[3]) {
-  to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
-void put(const dquat& q, double (&to)[4]) {
-  to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
-}
-
 TraceRow rowOf(const manipulation::TraceRow& row) {
   TraceRow made{};
   made.t = row.t;

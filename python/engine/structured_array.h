@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/shapes/vector.h"
+
 namespace hapticell::python {
 
 /// A field of a structured array: its name, numpy's word for its type ("f8", "?", "(3,)f8") and its place in the
@@ -17,6 +19,16 @@ struct ArrayField {
   const char* type;
   std::size_t offset;
 };
+
+/// A vector into a field of three numbers.
+inline void put(const dvec3& v, double (&to)[3]) {
+  to[0] = v.x, to[1] = v.y, to[2] = v.z;
+}
+
+/// A turn into a field of four numbers, w first.
+inline void put(const dquat& q, double (&to)[4]) {
+  to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
+}
 
 /// A structured array of the rows, which it takes over without copying them. Row is a struct of plain numbers. Needs
 /// the interpreter's lock.

@@ -72,7 +72,7 @@ py::array_t<double> tableOf(const Trajectory& self, std::size_t columns, const R
   return table;
 }
 
-void save(const Trajectory& self, py::object file) {
+void saveTrajectory(const Trajectory& self, py::object file) {
   const std::string path = pathOf(file);
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".csv" && ending != ".htraj")
@@ -126,7 +126,7 @@ void bindData(py::class_<Trajectory>& c) {
           "load", &load, py::arg("file"), py::arg("robot") = "",
           "From .htraj, .csv, a ROS .yaml, or a program (KRL, RAPID, FANUC LS, URScript, INFORM). `robot` (a file or "
           "library:NAME) gives the poses of a program's targets that are given by joints.")
-      .def("save", &save, py::arg("file"), "Writes .htraj or .csv; a failure leaves the old file.")
+      .def("save", &saveTrajectory, py::arg("file"), "Writes .htraj or .csv; a failure leaves the old file.")
       .def_readwrite("name", &Trajectory::name)
       .def_readwrite("entity", &Trajectory::entity, "Whose motion it is.")
       .def_readonly("joint_names", &Trajectory::joint_names)

@@ -79,7 +79,7 @@ void takeDocument(Workcell& self, const std::string& text, const std::string& fo
   self.document = std::move(document);
 }
 
-void save(Workcell& self, const py::object& file) {
+void saveWorkcell(Workcell& self, const py::object& file) {
   const std::filesystem::path path = file.is_none() ? self.document.path() : std::filesystem::path(pathOf(file));
   if (path.extension() != ".hcell")
     raise({.file = path.string(), .found = "the name of the document", .expected = "one that ends in .hcell"});
@@ -152,7 +152,7 @@ std::vector<std::string> add(Workcell& self, py::object what, const std::string&
 }
 
 /// Distances of one entity to everything that it is checked against, as they stand.
-py::list distances(const Workcell& self, const std::string& name, double limit) {
+py::list distancesTo(const Workcell& self, const std::string& name, double limit) {
   const EntityId id = self.entity(name).id;
   const auto scene = self.prepared();
   std::vector<manipulation::PairState> pairs;
@@ -209,7 +209,7 @@ void bindChecks(py::class_<Workcell>& cell) {
             self.execute(workcell::SetPairRules{{rule}});
           },
           py::arg("first"), py::arg("second"), "Never checks this pair.")
-      .def("distances", &distances, py::arg("name"), py::arg("limit") = std::numeric_limits<double>::infinity(),
+      .def("distances", &distancesTo, py::arg("name"), py::arg("limit") = std::numeric_limits<double>::infinity(),
            "Distances (m) of an entity to everything that it is checked against, as the cell stands: Records with "
            "entity, part, "
            "other, other_part, distance, point, point_other; nearest first.");
@@ -238,7 +238,7 @@ void bindWorkcells(py::module_& module) {
                             "command that can be undone.");
   cell.def(py::init<>())
       .def_static("open", &open, py::arg("file"), "Reads a .hcell with all that it names.")
-      .def("save", &save, py::arg("file") = py::none(), "Writes the .hcell; a failure leaves the old file.")
+      .def("save", &saveWorkcell, py::arg("file") = py::none(), "Writes the .hcell; a failure leaves the old file.")
       .def(
           "_write_copy",
           [](const Workcell& self, py::object file) {

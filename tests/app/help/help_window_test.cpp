@@ -5,39 +5,16 @@
 #include <QAccessible>
 #include <QComboBox>
 #include <QKeySequenceEdit>
-#include <QListWidget>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include "app/help/help_pages.h"
 #include "app/help/help_panel.h"
-#include "app/host/user_settings.h"
-#include "app/settings/configuration_fields.h"
-#include "app/style/units.h"
 #include "tests/app/pages/cell_page.h"
 
 namespace hapticell::app {
 namespace {
-
-class SettingsPage : public CellPage {
- public:
-  SettingsPage() { trigger("actionSettings"); }
-  ~SettingsPage() { setUnitsNow({}); }
-  void page(int row) {
-    find<QListWidget>("listSettings")->setCurrentRow(row);
-    settle();
-  }
-  /// Chooses in a combo box as the arrow keys do.
-  void choose(const char* name, int index) {
-    auto* combo = find<QComboBox>(name);
-    combo->setFocus();
-    while (combo->currentIndex() < index) QTest::keyClick(combo, Qt::Key_Down);
-    while (combo->currentIndex() > index) QTest::keyClick(combo, Qt::Key_Up);
-    settle();
-  }
-  UserSettings& settings() { return window().userSettings(); }
-};
 
 TEST(Help, F1IsAboutThePanelThatHasTheFocusAndTheSceneIsToldInWords) {
   CellPage page;
@@ -147,7 +124,8 @@ QStringList nameless(const QWidget& dock) {
 }
 
 TEST(ScreenReader, FindsANameOnEveryFieldOfTheWindowsOwnDocks) {
-  SettingsPage page;
+  CellPage page;
+  page.trigger("actionSettings");
   page.select(page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1})));
   for (const char* dock : {"dockMove", "dockMeasure", "dockSolid", "dockProperties", "dockSettings"}) {
     const QStringList found = nameless(*page.find<QDockWidget>(dock));

@@ -21,34 +21,34 @@ nlohmann::ordered_json asked(const access::AccessCell& cell, const std::string& 
 }
 
 TEST(AccessJson, OfAPartThatComesOutNamesItsWay) {
-  const auto json = asked(access::boxedIn(0.002, false), "block");
-  EXPECT_EQ(json["part"], "block");
-  EXPECT_TRUE(json["removable"].get<bool>());
-  EXPECT_TRUE(json["blocked_by"].empty());
-  EXPECT_EQ(json["order"], nlohmann::ordered_json::array({"block"}));
-  ASSERT_EQ(json["steps"].size(), 1U);
-  EXPECT_NEAR(json["steps"][0]["direction"][2].get<double>(), 1.0, 1e-9) << "the box is open at the top";
-  EXPECT_GT(json["steps"][0]["length_m"].get<double>(), 0.1) << "higher than the walls";
-  EXPECT_FALSE(json.contains("path"));
-  EXPECT_TRUE(json["reach"].empty()) << "nobody was asked for";
-  EXPECT_TRUE(json["scores"].is_object());
+  const auto answer = asked(access::boxedIn(0.002, false), "block");
+  EXPECT_EQ(answer["part"], "block");
+  EXPECT_TRUE(answer["removable"].get<bool>());
+  EXPECT_TRUE(answer["blocked_by"].empty());
+  EXPECT_EQ(answer["order"], nlohmann::ordered_json::array({"block"}));
+  ASSERT_EQ(answer["steps"].size(), 1U);
+  EXPECT_NEAR(answer["steps"][0]["direction"][2].get<double>(), 1.0, 1e-9) << "the box is open at the top";
+  EXPECT_GT(answer["steps"][0]["length_m"].get<double>(), 0.1) << "higher than the walls";
+  EXPECT_FALSE(answer.contains("path"));
+  EXPECT_TRUE(answer["reach"].empty()) << "nobody was asked for";
+  EXPECT_TRUE(answer["scores"].is_object());
 }
 
 TEST(AccessJson, OfAPartUnderALidTellsTheOrder) {
-  const auto json = asked(access::boxedIn(0.002, true), "block");
-  EXPECT_FALSE(json["removable"].get<bool>());
-  EXPECT_EQ(json["blocked_by"], nlohmann::ordered_json::array({"lid"}));
-  EXPECT_EQ(json["order"], nlohmann::ordered_json::array({"lid", "block"}));
-  EXPECT_TRUE(json["order_is_shortest"].get<bool>());
-  EXPECT_EQ(json["steps"].size(), 2U);
+  const auto answer = asked(access::boxedIn(0.002, true), "block");
+  EXPECT_FALSE(answer["removable"].get<bool>());
+  EXPECT_EQ(answer["blocked_by"], nlohmann::ordered_json::array({"lid"}));
+  EXPECT_EQ(answer["order"], nlohmann::ordered_json::array({"lid", "block"}));
+  EXPECT_TRUE(answer["order_is_shortest"].get<bool>());
+  EXPECT_EQ(answer["steps"].size(), 2U);
   bool is_up_blocked_by_lid = false;
-  for (const auto& way : json["straight_ways"]) {
+  for (const auto& way : answer["straight_ways"]) {
     EXPECT_FALSE(way["blocked_by"].empty()) << "no straight way is free";
     if (way["direction"][2].get<double>() < 0.999) continue;
     is_up_blocked_by_lid = way["blocked_by"] == nlohmann::ordered_json::array({"lid"}) && !way["by_fixed"].get<bool>();
   }
-  EXPECT_TRUE(is_up_blocked_by_lid) << json["straight_ways"];
-  EXPECT_NE(json["result"].get<std::string>().find("once lid has gone"), std::string::npos) << json["result"];
+  EXPECT_TRUE(is_up_blocked_by_lid) << answer["straight_ways"];
+  EXPECT_NE(answer["result"].get<std::string>().find("once lid has gone"), std::string::npos) << answer["result"];
 }
 
 }  // namespace

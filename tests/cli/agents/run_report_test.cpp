@@ -60,14 +60,14 @@ TEST(RunReport, OfOneRunHasWhatItEndedWith) {
   run.number = 12;
   run.reason = Text("it is stuck");
   run.strengths = {{"goal", 0.5}};
-  const auto json = runJson(*cell, run);
-  EXPECT_EQ(json["run"], 12);
-  EXPECT_EQ(json["mode"], "agents");
-  EXPECT_FALSE(json["solved"].get<bool>());
-  EXPECT_EQ(json["reason"], "it is stuck");
-  EXPECT_EQ(json["strengths"]["goal"], 0.5);
-  EXPECT_FALSE(json.contains("rula"));
-  EXPECT_FALSE(json.contains("seen"));
+  const auto report = runJson(*cell, run);
+  EXPECT_EQ(report["run"], 12);
+  EXPECT_EQ(report["mode"], "agents");
+  EXPECT_FALSE(report["solved"].get<bool>());
+  EXPECT_EQ(report["reason"], "it is stuck");
+  EXPECT_EQ(report["strengths"]["goal"], 0.5);
+  EXPECT_FALSE(report.contains("rula"));
+  EXPECT_FALSE(report.contains("seen"));
 }
 
 }  // namespace

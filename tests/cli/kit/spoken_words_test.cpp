@@ -31,7 +31,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-std::string contentOf(const fs::path& file) {
+std::string writtenIn(const fs::path& file) {
   std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -43,10 +43,10 @@ TEST(ResultWriter, WritesAFileWholeOrNotAtAll) {
   ::testing::internal::CaptureStdout();
   ASSERT_TRUE(writer.write({{"a", 1}, {"name", "caf\xe9"}}));
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
-  EXPECT_EQ(contentOf(folder.path() / "result.json"), "{\n  \"a\": 1,\n  \"name\": \"caf\xef\xbf\xbd\"\n}\n")
+  EXPECT_EQ(writtenIn(folder.path() / "result.json"), "{\n  \"a\": 1,\n  \"name\": \"caf\xef\xbf\xbd\"\n}\n")
       << "what is not UTF-8 is replaced";
   ASSERT_TRUE(writer.writeLine({{"a", 2}}));
-  EXPECT_EQ(contentOf(folder.path() / "result.json"), "{\"a\":2}\n") << "the newest";
+  EXPECT_EQ(writtenIn(folder.path() / "result.json"), "{\"a\":2}\n") << "the newest";
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "nothing is left beside it";
   const auto failed = ResultWriter((folder.path() / "none/result.json").string()).write({});
   ASSERT_FALSE(failed);

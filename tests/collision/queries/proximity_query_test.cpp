@@ -34,7 +34,7 @@ double distanceToTriangle(const TriangleMesh& mesh, const Pose& X_WM, std::uint3
   return glm::distance(closestPointOnTriangle(corners, p_W), p_W);
 }
 
-std::vector<Collider> kinds() {
+std::vector<Collider> meshKinds() {
   std::mt19937 random(5);
   TriangleMesh degenerate = boxMesh({0.2, 0.2, 0.2});
   degenerate.vertices.push_back({0.4, 0.0, 0.0});
@@ -51,7 +51,7 @@ std::vector<Collider> kinds() {
 TEST(ProximityQuery, AgreesWithBruteForce) {
   std::mt19937 random(1);
   int apart = 0, colliding = 0;
-  const std::vector<Collider> meshes = kinds();
+  const std::vector<Collider> meshes = meshKinds();
   for (const Collider& a : meshes) {
     for (const Collider& b : meshes) {
       ProximityQuery query(a, b);

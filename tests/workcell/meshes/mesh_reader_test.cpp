@@ -36,7 +36,7 @@ TriangleMesh parsed(const std::string& content, const char* name, MeshReadOption
   return file ? file->mesh : TriangleMesh{};
 }
 
-std::string refused(const std::string& content, const char* name) {
+std::string refusedFile(const std::string& content, const char* name) {
   Diagnostics notes;
   const Expected<MeshFile> file = parse(content, name, notes);
   EXPECT_FALSE(file.has_value()) << name;
@@ -136,13 +136,13 @@ TEST(MeshReader, IsIndependentOfTheLocale) {
   const TriangleMesh mesh = parsed("v 0.5 0 0\nv 1.5 0 0\nv 0 2.25 0\nf 1 2 3\n", "a.obj");
   std::setlocale(LC_ALL, "C");
   EXPECT_NEAR(mesh.bounds().max.y, 2.25, 0.0);
-  EXPECT_THAT(refused("v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with '0,5'"));
+  EXPECT_THAT(refusedFile("v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with '0,5'"));
 }
 
 TEST(StlReader, RefusesTruncatedBinary) {
   std::string bytes = test::stlBinary(geometry::makeBox(dvec3(1.0)));
   bytes.resize(bytes.size() - 30);
-  const std::string message = refused(bytes, "cut.stl");
+  const std::string message = refusedFile(bytes, "cut.stl");
   EXPECT_THAT(message, HasSubstr("cut.stl, triangle 12 of 12: the file ends after 654 bytes; expected 684 bytes"));
   EXPECT_THAT(message, HasSubstr("truncated"));
 }
@@ -150,32 +150,32 @@ TEST(StlReader, RefusesTruncatedBinary) {
 TEST(StlReader, RefusesACountThatDoesNotMatch) {
   std::string bytes = test::stlBinary(geometry::makeBox(dvec3(1.0)));
   bytes[80] = 3;
-  EXPECT_THAT(refused(bytes, "a.stl"), HasSubstr("a count of 3 triangles; expected 12"));
+  EXPECT_THAT(refusedFile(bytes, "a.stl"), HasSubstr("a count of 3 triangles; expected 12"));
   bytes[80] = '\xff';
   bytes[81] = bytes[82] = bytes[83] = '\xff';
-  EXPECT_THAT(refused(bytes, "a.stl"), HasSubstr("of 4294967295"));
+  EXPECT_THAT(refusedFile(bytes, "a.stl"), HasSubstr("of 4294967295"));
 }
 
 TEST(StlReader, NamesTheTriangleWithABadVertex) {
   TriangleMesh mesh = geometry::makeBox(dvec3(1.0));
   mesh.vertices.push_back({0.0, std::nan(""), 0.0});
   mesh.triangles[4][1] = 8;
-  EXPECT_THAT(refused(test::stlBinary(mesh), "nan.stl"),
+  EXPECT_THAT(refusedFile(test::stlBinary(mesh), "nan.stl"),
               HasSubstr("nan.stl, triangle 5 of 12: a vertex with the coordinate nan"));
-  EXPECT_THAT(refused(test::stlAscii(mesh), "nan.stl"), HasSubstr("line 33: a vertex with the coordinate nan"));
+  EXPECT_THAT(refusedFile(test::stlAscii(mesh), "nan.stl"), HasSubstr("line 33: a vertex with the coordinate nan"));
   mesh.vertices.back() = {0.0, 0.0, -std::numeric_limits<double>::infinity()};
-  EXPECT_THAT(refused(test::stlBinary(mesh), "inf.stl"), HasSubstr("coordinate -inf"));
+  EXPECT_THAT(refusedFile(test::stlBinary(mesh), "inf.stl"), HasSubstr("coordinate -inf"));
   mesh.vertices.back() = {1e30, 0.0, 0.0};
-  EXPECT_THAT(refused(test::stlBinary(mesh), "far.stl"), HasSubstr("e+30; expected finite"));
+  EXPECT_THAT(refusedFile(test::stlBinary(mesh), "far.stl"), HasSubstr("e+30; expected finite"));
 }
 
 TEST(StlReader, RefusesTruncatedText) {
   const std::string text = test::stlAscii(geometry::makeBox(dvec3(1.0)));
-  EXPECT_THAT(refused(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
-  EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends too early; expected 'endloop'"));
-  EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n", "a.stl"),
+  EXPECT_THAT(refusedFile(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
+  EXPECT_THAT(refusedFile(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends too early; expected 'endloop'"));
+  EXPECT_THAT(refusedFile("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n", "a.stl"),
               HasSubstr("the file ends inside a vertex"));
-  EXPECT_THAT(refused("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
+  EXPECT_THAT(refusedFile("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
 }
 
 TEST(StlReader, ReadsOddButValidText) {
@@ -218,31 +218,31 @@ TEST(ObjReader, AcceptsAVertexAfterItsFace) {
 
 TEST(ObjReader, RefusesWhatDoesNotFit) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_THAT(refused(three + "f 1 2 4\n", "a.obj"), HasSubstr("line 4: vertex number '4'"));
-  EXPECT_THAT(refused(three + "f 0 1 2\n", "a.obj"), HasSubstr("line 4: face corner '0'"));
-  EXPECT_THAT(refused(three + "f -4 1 2\n", "a.obj"), HasSubstr("line 4: vertex number '-4'"));
-  EXPECT_THAT(refused(three + "f 1 2 99999999999999999999\n", "a.obj"), HasSubstr("line 4"));
-  EXPECT_THAT(refused("v 0 0\n" + three + "f 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with fewer than three"));
-  EXPECT_THAT(refused("v 0 inf 0\n" + three + "f 1 2 3\n", "a.obj"),
+  EXPECT_THAT(refusedFile(three + "f 1 2 4\n", "a.obj"), HasSubstr("line 4: vertex number '4'"));
+  EXPECT_THAT(refusedFile(three + "f 0 1 2\n", "a.obj"), HasSubstr("line 4: face corner '0'"));
+  EXPECT_THAT(refusedFile(three + "f -4 1 2\n", "a.obj"), HasSubstr("line 4: vertex number '-4'"));
+  EXPECT_THAT(refusedFile(three + "f 1 2 99999999999999999999\n", "a.obj"), HasSubstr("line 4"));
+  EXPECT_THAT(refusedFile("v 0 0\n" + three + "f 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with fewer than three"));
+  EXPECT_THAT(refusedFile("v 0 inf 0\n" + three + "f 1 2 3\n", "a.obj"),
               HasSubstr("line 1: a vertex with the coordinate inf"));
-  EXPECT_THAT(refused(std::string("\xFF\xFEv\0 \0", 6), "a.obj"), HasSubstr("UTF-16"));
-  EXPECT_THAT(refused("", "a.obj"), HasSubstr("empty"));
+  EXPECT_THAT(refusedFile(std::string("\xFF\xFEv\0 \0", 6), "a.obj"), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusedFile("", "a.obj"), HasSubstr("empty"));
 }
 
 TEST(PlyReader, RefusesWhatDoesNotFit) {
   const TriangleMesh box = geometry::makeBox(dvec3(1.0));
   std::string text = test::plyAscii(box);
-  EXPECT_THAT(refused(text.substr(0, text.size() - 20), "a.ply"), HasSubstr("the file ends"));
+  EXPECT_THAT(refusedFile(text.substr(0, text.size() - 20), "a.ply"), HasSubstr("the file ends"));
   const std::string binary = test::plyBinary(box, false);
-  EXPECT_THAT(refused(binary.substr(0, binary.size() - 3), "a.ply"), HasSubstr("face 12 of 12: the file ends"));
+  EXPECT_THAT(refusedFile(binary.substr(0, binary.size() - 3), "a.ply"), HasSubstr("face 12 of 12: the file ends"));
   text.replace(text.find("vertex 8"), 8, "vertex 4000000000");
-  EXPECT_THAT(refused(text, "a.ply"), HasSubstr("line 4: 4000000000 elements 'vertex'"));
-  EXPECT_THAT(refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+  EXPECT_THAT(refusedFile(text, "a.ply"), HasSubstr("line 4: 4000000000 elements 'vertex'"));
+  EXPECT_THAT(refusedFile("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                       "end_header\n0 0 0\n",
                       "cloud.ply"),
               HasSubstr("points without faces"));
   EXPECT_THAT(
-      refused("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      refusedFile("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n",
               "a.ply"),
       HasSubstr("vertex 3 of 3: a vertex with the coordinate nan"));
@@ -273,9 +273,9 @@ TEST(OffReader, ReadsColoursAndComments) {
       "4 0 1 2 3 0.5 0.5 0.5\n",
       "a.off");
   EXPECT_EQ(mesh.triangles.size(), 2u);
-  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off"), HasSubstr("line 6: face corner '3'"));
-  EXPECT_THAT(refused("OFF\n3 1 0\n0.000 0 0\n1.000 0 0\n", "a.off"), HasSubstr("vertex 3 of 3: the file ends"));
-  EXPECT_THAT(refused("OFF\n300000000 1 0\n0 0 0\n", "a.off"), HasSubstr("line 2: 300000000 vertices"));
+  EXPECT_THAT(refusedFile("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off"), HasSubstr("line 6: face corner '3'"));
+  EXPECT_THAT(refusedFile("OFF\n3 1 0\n0.000 0 0\n1.000 0 0\n", "a.off"), HasSubstr("vertex 3 of 3: the file ends"));
+  EXPECT_THAT(refusedFile("OFF\n300000000 1 0\n0 0 0\n", "a.off"), HasSubstr("line 2: 300000000 vertices"));
 }
 
 TEST(MeshReader, RefusesWhatIsNoFile) {

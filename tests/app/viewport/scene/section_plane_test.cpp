@@ -8,7 +8,7 @@
 namespace hapticell::app {
 namespace {
 
-const ViewSize kSize{800, 600};
+const ViewSize kSectionSize{800, 600};
 
 geometry::Bounds cell() {
   geometry::Bounds bounds;
@@ -18,7 +18,7 @@ geometry::Bounds cell() {
 }
 
 Camera cameraAlong(const dvec3& direction_W) {
-  return Camera().turnedTo(direction_W).fitted(cell(), kSize);
+  return Camera().turnedTo(direction_W).fitted(cell(), kSectionSize);
 }
 
 TEST(SectionPlane, CutsAwayTheEyesSideThroughTheMiddle) {
@@ -46,22 +46,22 @@ TEST(SectionPlane, TheHandleFollowsThePointer) {
   SectionPlane plane = sectionAcross(1, camera, cell());
   dvec3 on_axis = cell().center();
   const dvec3 wanted = on_axis + 0.35 * plane.nhat_W;
-  const glm::dvec2 from = *camera.project(on_axis, kSize), to = *camera.project(wanted, kSize);
-  EXPECT_TRUE(onSectionHandle(plane, cell(), camera, kSize, from));
-  EXPECT_FALSE(onSectionHandle(plane, cell(), camera, kSize, from + glm::dvec2(60, 60)));
-  plane = draggedSection(plane, cell(), camera, kSize, from, to);
+  const glm::dvec2 from = *camera.project(on_axis, kSectionSize), to = *camera.project(wanted, kSectionSize);
+  EXPECT_TRUE(onSectionHandle(plane, cell(), camera, kSectionSize, from));
+  EXPECT_FALSE(onSectionHandle(plane, cell(), camera, kSectionSize, from + glm::dvec2(60, 60)));
+  plane = draggedSection(plane, cell(), camera, kSectionSize, from, to);
   EXPECT_NEAR(plane.offset, glm::dot(plane.nhat_W, wanted), 1e-9);
 }
 
 TEST(SectionPlane, StaysWithinTheCellAndWhereThePointerSaysNothing) {
   const Camera camera = cameraAlong({0.6, 1, -0.5});
   const SectionPlane plane = sectionAcross(1, camera, cell());
-  const glm::dvec2 from = *camera.project(cell().center(), kSize);
-  const glm::dvec2 far = *camera.project(cell().center() + 1.6 * plane.nhat_W, kSize);
-  EXPECT_NEAR(draggedSection(plane, cell(), camera, kSize, from, far).offset, 0.0, 1e-9) << "y = 0 is the border";
+  const glm::dvec2 from = *camera.project(cell().center(), kSectionSize);
+  const glm::dvec2 far = *camera.project(cell().center() + 1.6 * plane.nhat_W, kSectionSize);
+  EXPECT_NEAR(draggedSection(plane, cell(), camera, kSectionSize, from, far).offset, 0.0, 1e-9) << "y = 0 is the border";
   const Camera along = cameraAlong({0, 1, 0});
   const SectionPlane across = sectionAcross(1, along, cell());
-  EXPECT_EQ(draggedSection(across, cell(), along, kSize, {400, 300}, {430, 300}), across);
+  EXPECT_EQ(draggedSection(across, cell(), along, kSectionSize, {400, 300}, {430, 300}), across);
 }
 
 TEST(SectionPlane, SightBeginsInThePlane) {
