@@ -83,6 +83,7 @@ Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
       archive_write_set_format_zip(out.get());
     } else {
       archive_write_add_filter_gzip(out.get());
+      archive_write_set_filter_option(out.get(), "gzip", "timestamp", nullptr);  // Equal folders make equal archives.
       archive_write_set_format_pax_restricted(out.get());
     }
     if (archive_write_open_fd(out.get(), aside->descriptor()) != ARCHIVE_OK) return makeError(failed(file, out.get()));
