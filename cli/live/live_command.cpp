@@ -86,10 +86,10 @@ Expected<ordered_json> showLive(const LiveWords& words) {
   HAPTICELL_TRY(replay);
   const auto link = watchedServer(words.server);
   HAPTICELL_TRY(link);
+  const StopSignal stop;  // Before the address is told: who has read it may stop it.
   auto live = LiveView::open(words.where);
   HAPTICELL_TRY(live);
   live->show(document->state());
-  const StopSignal stop;
   double end = -1.0;  // s; below 0: until Ctrl+C.
   if (*replay && !words.repeat) end = (*replay)->motion().duration();
   if (words.seconds > 0.0) end = words.seconds;
