@@ -58,7 +58,9 @@ TEST(PackArchive, HoldsTheDocumentAndItsFiles) {
     EXPECT_EQ(files.at("files/part.obj"), kTriangle);
     EXPECT_THAT(files.at("cell.hcell"), HasSubstr("\"file\": \"files/part.obj\""));
     const std::string first = *readFileContent(file);
-    if (file.extension() == ".gz") EXPECT_EQ(first.substr(4, 4), std::string(4, '\0')) << "the time of packing";
+    if (file.extension() == ".gz") {
+      EXPECT_EQ(first.substr(4, 4), std::string(4, '\0')) << "the time of packing";
+    }
     ASSERT_TRUE(pack(document.state(), file, "cell.hcell", {folder.path()}, notes));
     EXPECT_EQ(*readFileContent(file), first) << "the same cell gives the same bytes";
   }
