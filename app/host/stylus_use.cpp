@@ -10,7 +10,9 @@ namespace hapticell::app {
 
 bool isStylusInUse(const Host& host) {
   const auto& snapshot = host.snapshot();
-  return snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on);
+  if (!snapshot) return false;
+  const bool second = snapshot->second && snapshot->second->held != 0;
+  return second || snapshot->stylus.held != 0 || snapshot->stylus.forces_on;
 }
 
 bool tellsStylusInUse(Host& host) {

@@ -5,7 +5,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// True while the hand works with the stylus (it holds something, or forces are on): panels then stay where they are.
+/// True while the hand works with the stylus (it or the second one holds something, or forces are on): panels then stay where they are.
 /// GUI thread.
 bool isStylusInUse(const Host& host);
 

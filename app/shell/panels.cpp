@@ -16,6 +16,7 @@
 #include "app/ergonomics/ergonomics_docks.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/host.h"
+#include "app/host/stylus_use.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
 #include "app/kit/tabbed_docks.h"
@@ -57,8 +58,8 @@ void followWith(StripChart* chart, Host& host) {
 /// What went wrong, or waits for an answer, is to be read whole; what is being moved by hand is not to lose its panel.
 void showMessagesToRead(Host& host, QDockWidget* messages) {
   QObject::connect(&host.messages(), &MessageLog::told, messages, [&host, messages](const Message& message) {
-    const bool held = host.snapshot() && host.snapshot()->stylus.held != 0;
-    if (!held && (message.severity == Severity::kProblem || !message.actions.empty())) bringToFront(messages);
+    const bool to_read = message.severity == Severity::kProblem || !message.actions.empty();
+    if (to_read && !messages->isHidden() && !isStylusInUse(host)) bringToFront(messages);
   });
 }
 

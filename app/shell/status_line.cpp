@@ -93,7 +93,8 @@ void StatusLine::clearMessage() {
 }
 
 void StatusLine::mouseReleaseEvent(QMouseEvent* event) {
-  if (!message_.isEmpty() && rect().contains(event->position().toPoint())) emit messageClicked();
+  const bool clicked = event->button() == Qt::LeftButton;
+  if (clicked && !message_.isEmpty() && rect().contains(event->position().toPoint())) emit messageClicked();
 }
 
 int StatusLine::paintRate(QPainter& painter, int right, const QString& name, double value, double full,

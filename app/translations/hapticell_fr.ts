@@ -3911,6 +3911,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
+        <source>Choose the left or right hand of %1 in 'Moved by' first.</source>
+        <translation>Choisissez d'abord la main gauche ou droite de %1 sous « Déplacé par ».</translation>
+    </message>
+    <message>
         <source>Choose the report logo</source>
         <translation>Choisir le logo des rapports</translation>
     </message>
@@ -7377,6 +7381,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No frames</source>
         <translation>Aucune image</translation>
+    </message>
+    <message>
+        <source>No goal was taken</source>
+        <translation>Aucun but n'a été pris</translation>
     </message>
     <message>
         <source>No goal yet. Choose where the entity should go.</source>

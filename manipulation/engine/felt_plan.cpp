@@ -81,13 +81,16 @@ void FeltPlan::set(std::shared_ptr<PlanSource> source, double authority) {
   if (source != source_) {
     forget();
     state_.ways = state_.insistences = 0;
+    const std::uint64_t hold = view_.hold;
     view_ = {};
+    view_.hold = hold;
   }
   source_ = std::move(source);
   state_.authority = std::isfinite(authority) ? std::clamp(authority, 0.0, 1.0) : 0.0;
 }
 
 void FeltPlan::forget() {
+  ++view_.hold;
   trail_.clear();
   state_.way.reset();
   state_.share = 0.0;
@@ -125,7 +128,7 @@ void FeltPlan::adopt(const Pose& X_WM) {
   const std::shared_ptr<const PlannedWay> newest = source_->newest();
   if (newest == state_.way) return;
   state_.way = newest;
-  if (!newest || newest->X_WM.size() < 2) {
+  if (!newest || newest->X_WM.size() < 2 || newest->hold != view_.hold) {
     state_.way.reset();
     return;
   }

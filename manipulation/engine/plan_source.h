@@ -18,6 +18,7 @@ namespace hapticell::manipulation {
 struct PlannedWay {
   std::uint64_t number = 0;   ///< Increases from way to way, from 1.
   std::uint64_t answers = 0;  ///< PlanView::insistences that this way takes into account.
+  std::uint64_t hold = 0;     ///< PlanView::hold that it was worked out for; it is not used for another one.
   std::vector<Pose> X_WM;     ///< The moved frame, at least two poses, the last one at the goal. Straight between.
   /// Of a robot or mannequin: all of it, for each of X_WM; a solid: empty.
   std::vector<EntityConfiguration> postures = {};
@@ -31,6 +32,7 @@ using Trail = std::vector<EntityConfiguration>;
 struct PlanView {
   std::int64_t time_ns = 0;  ///< Of the loop's clock.
   std::shared_ptr<const PreparedScene> scene;
+  std::uint64_t hold = 0;             ///< Changes when something is taken, or is moved by another of its frames.
   workcell::EntityId entity = 0;      ///< The held entity.
   std::optional<mannequin::Side> hand = {};  ///< HeldEntity::hand().
   Placements placements;              ///< Where entities are that do not stand as in the scene.

@@ -65,7 +65,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   HeldState state{std::move(model), std::move(*manipulator), std::move(taken),
                   std::move(pairs), std::move(motion),       std::move(notes)};
   const auto* hand = std::get_if<by::Hand>(&options.moved_by);
-  if (hand != nullptr && !hand->locks.any()) state.hand = hand->side;
+  if (hand != nullptr && !hand->locks.any() && !hand->may_step) state.hand = hand->side;
   return std::unique_ptr<HeldEntity>(new HeldEntity(std::move(state)));
 }
 

@@ -97,7 +97,7 @@ struct LivePlanner::Worker {
         stop = false;
       }
       WaySearch::Found found = search.find(view, &stop);
-      search.join(found, present());
+      if (const manipulation::PlanView now = present(); now.hold == found.hold) search.join(found, now);
       std::unique_lock lock(mutex);
       book(found);
       noteSpace();
@@ -131,11 +131,12 @@ struct LivePlanner::Worker {
 
   /// A way that is worth a change becomes the newest.
   void finish(WaySearch::Found found, const manipulation::PlanView& now) {
-    if (found.X_WM.empty()) return;
+    if (found.X_WM.empty() || found.hold != now.hold) return;
     if (given && !isWorth(found, now)) return;
     auto way = std::make_shared<manipulation::PlannedWay>();
     way->number = ++figures.given;
     way->answers = found.answers;
+    way->hold = found.hold;
     way->X_WM = std::move(found.X_WM);
     way->postures = std::move(found.postures);
     way->clearance = options.clearance;
@@ -159,7 +160,17 @@ struct LivePlanner::Worker {
     best_ns = view.time_ns;
   }
 
+  /// What was worked out for another hold is of no use.
+  void watchHold(const manipulation::PlanView& view) {
+    if (view.hold == hold) return;
+    hold = view.hold;
+    stop = true;
+    given.reset();
+    pending.reset();
+  }
+
   void lookInVirtualTime(const manipulation::PlanView& view) {
+    watchHold(view);
     watch(view);
     // As in a thread: what is being searched for the hand as it was before is of no use.
     if (pending && pending->answers != view.insistences) {
@@ -194,6 +205,7 @@ struct LivePlanner::Worker {
   double radius = 0.0;
   double best_left = 0.0;     ///< m of the way in use that were left at the last progress,
   std::int64_t best_ns = 0;   ///< and when that was.
+  std::uint64_t hold = 0;     ///< PlanView::hold of `given`.
   std::atomic<bool> stop{false};
   // Virtual time only.
   std::optional<WaySearch::Found> pending;
@@ -215,6 +227,7 @@ void LivePlanner::look(const manipulation::PlanView& view) {
     if (view.insistences != worker.newest_view.insistences) worker.stop = true;
     worker.newest_view = view;
     worker.has_view = true;
+    worker.watchHold(view);
     worker.watch(view);
   }
   worker.wait.notify_one();

@@ -209,6 +209,7 @@ void WaySearch::join(Found& found, const manipulation::PlanView& now) {
 WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::atomic<bool>* stop) {
   Found found;
   found.answers = view.insistences;
+  found.hold = view.hold;
   const auto fail = [&found](Failure::Kind kind, Text reason) {
     Failure& failure = found.result.failure.emplace();
     failure.kind = kind;

@@ -24,7 +24,8 @@ class WaySearch {
     std::vector<Pose> X_WM;     ///< Empty: no way.
     std::vector<EntityConfiguration> postures;  ///< As PlannedWay::postures.
     double length = 0.0;        ///< m, with 0.1 m a radian.
-    std::uint64_t answers = 0;  ///< As PlannedWay::answers.
+    std::uint64_t answers = 0;  ///< As PlannedWay::answers,
+    std::uint64_t hold = 0;     ///< and as PlannedWay::hold.
     std::vector<EntityConfiguration> waypoints;  ///< Of it, from where the entity stood; straight between.
     Pose X_TM;                                   ///< The moved frame in the tool's (of a solid: its own) frame.
   };
@@ -32,6 +33,7 @@ class WaySearch {
   Found find(const manipulation::PlanView& view, const std::atomic<bool>* stop);
 
   /// Lets a way begin where the entity is by now: straight onto it as far on as that is free, or back along the trail.
+  /// Contract: `now` is of the hold that the way was searched for.
   void join(Found& found, const manipulation::PlanView& now);
 
   /// Of the space that was made last; null before the first search.

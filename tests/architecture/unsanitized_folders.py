@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-READS = re.compile(r'#include "geometry/system/(?:regular_file|nesting_limit)\.h"|\bstd::(?:basic_)?i?fstream\b|\b[Jj]son::parse\s*\(|'
+READS = re.compile(r'#include "geometry/system/(?:regular_file|nesting_limit)\.h"|\bstd::(?:basic_)?i?fstream\b|[Jj]son::parse\s*\(|'
                    r"\btoml::parse")
 ALLOWED = {
     "bridge/ros2/": "no test with the label `input` runs that program",

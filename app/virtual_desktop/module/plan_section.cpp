@@ -13,6 +13,7 @@
 #include "app/controls/pose_text.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/message_log.h"
 #include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/viewport/scene/frame_triads.h"
@@ -149,7 +150,11 @@ void PlanSection::takePresent() {
   PlanControl::Target target{id, planning::goal::ToPose{at.X_WE}, at.X_WE, tr("the place that you showed")};
   const manipulation::MovedBy moved_by = controller_.movedBy();
   const auto* hand = std::get_if<manipulation::by::Hand>(&moved_by);
-  if (moved->figure() && hand) {
+  if (moved->figure() && !hand)
+    return host_.messages().tell(Severity::kWarning, tr("No goal was taken"),
+                                 tr("Choose the left or right hand of %1 in 'Moved by' first.")
+                                     .arg(QString::fromStdString(moved->name)));
+  if (hand) {
     target.X_WT = gripPose_W(*moved, hand->side, at.X_WE, at.joints);
     target.goal = planning::goal::ToPose{target.X_WT};
   } else if (moved->robot()) {

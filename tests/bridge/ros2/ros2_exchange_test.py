@@ -36,11 +36,14 @@ children, is_over = [], threading.Event()
 
 
 def spawn(words, **options):
-    """A process that ends with this test, by end_children(), however it ends."""
+    """A process that ends with this test, by end_children()."""
     if is_over.is_set():
         raise RuntimeError("the test has failed in another lane")
-    children.append(subprocess.Popen([*map(str, words)], text=True, start_new_session=True, **options))
-    return children[-1]
+    process = subprocess.Popen([*map(str, words)], text=True, start_new_session=True, **options)
+    children.append(process)
+    if is_over.is_set():  # Another lane failed meanwhile.
+        end_children()
+    return process
 
 
 def end_children():

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "manipulation/session/session.h"
 #include "mannequin/shape/figure_model.h"
@@ -94,6 +96,55 @@ TEST(LivePlannerOfAMannequin, AsksForAHandThatMovesIt) {
   EXPECT_TRUE(found.X_WM.empty());
   ASSERT_TRUE(found.result.failure);
   EXPECT_NE(english(found.result.failure->reason).find("left or right hand moves it"), std::string::npos);
+}
+
+/// The way of the right hand is none for the left one, and a search for the right one is none either.
+TEST(LivePlannerOfAMannequin, ForgetsItsWayWhenTheOtherHandMovesIt) {
+  const auto scene = manipulation::PreparedScene::prepare(workerCell(), {}, {});
+  PlanView view = viewOfWorker(scene);
+  LivePlanner planner(liveTo(aboveTheBench()));
+  const auto lookUntil = [&](const auto& done) {
+    for (int i = 0; i < 2000 && !done(); ++i, view.time_ns += 10'000'000) planner.look(view);
+    return done();
+  };
+  view.hold = 1;
+  ASSERT_TRUE(lookUntil([&] { return planner.newest() != nullptr; }));
+  EXPECT_EQ(planner.newest()->hold, 1u);
+  view.hold = 2;
+  view.hand = Side::kLeft;
+  planner.look(view);
+  EXPECT_EQ(planner.newest(), nullptr);
+  view.hold = 3;
+  view.hand.reset();
+  EXPECT_FALSE(lookUntil([&] { return planner.newest() != nullptr; })) << "it is not moved by a hand";
+}
+
+/// With the clock of the machine: what was searched for the worker is not laid into the way of a solid.
+TEST(LivePlanner, GivesUpASearchWhenAnotherEntityIsTaken) {
+  auto entities = workerCell();
+  entities.push_back(test::loaded("box:0.1,0.1,0.1", 4, "part", Pose::translation({-1.0, 0.0, 0.5})));
+  const auto scene = manipulation::PreparedScene::prepare(entities, {}, {});
+  LiveOptions options = liveTo(aboveTheBench());
+  options.in_virtual_time = false;
+  options.period_s = 0.001;
+  LivePlanner planner(options);
+  PlanView of_part;
+  of_part.scene = scene;
+  of_part.entity = 4;
+  of_part.standing = {scene->find(4)->X_WE, {}};
+  of_part.X_WM = of_part.standing.X_WE;
+  of_part.trail = std::make_shared<const manipulation::Trail>(manipulation::Trail{of_part.standing});
+  PlanView of_worker = viewOfWorker(scene);
+  for (std::uint64_t hold = 1; hold <= 20; ++hold) {
+    PlanView& view = hold % 2 == 0 ? of_part : of_worker;
+    view.hold = hold;
+    planner.look(view);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 * hold));
+    const auto way = planner.newest();
+    if (way == nullptr) continue;
+    EXPECT_EQ(way->hold, hold);
+    EXPECT_EQ(way->postures.empty(), &view == &of_part);
+  }
 }
 
 manipulation::SessionReport leadHand(double authority) {
