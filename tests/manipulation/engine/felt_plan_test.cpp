@@ -21,12 +21,13 @@ namespace {
 
 using test::HandLink;
 
-/// Gives the ways that the test sets.
+/// Gives the ways that the test sets, each for the hold in which it is asked for first.
 class ScriptedPlans final : public PlanSource {
  public:
   void look(const PlanView& view) override {
     seen = view;
     if (on_look) on_look(view);
+    if (way && way->hold == 0) way->hold = view.hold;
   }
   std::shared_ptr<const PlannedWay> newest() override { return way; }
   bool isReached(const PlanView&) const override { return reached; }
@@ -41,7 +42,7 @@ class ScriptedPlans final : public PlanSource {
   }
 
   PlanView seen;
-  std::shared_ptr<const PlannedWay> way;
+  std::shared_ptr<PlannedWay> way;
   std::uint64_t given = 0;
   bool reached = false;
   std::function<void(const PlanView&)> on_look;
@@ -238,6 +239,17 @@ TEST_F(FeltPlanTest, RemembersTheHandsWay) {
   engine.apply(command::Grab{2});
   stay(0.02, {0.05, 0.0, 0.0});
   EXPECT_LE(plans->seen.trail->size(), 2U) << "a new hold begins anew";
+}
+
+TEST_F(FeltPlanTest, AWayIsOfOneHold) {
+  plans->give({start, at({0.3, 0.0, 0.0})});
+  stay(0.5, {0.0, 0.0, 0.0});
+  ASSERT_EQ(engine.plan().ways, 1U);
+  engine.apply(command::Release{});
+  engine.apply(command::Grab{2});
+  stay(0.5, {0.0, 0.0, 0.0});
+  EXPECT_EQ(engine.plan().way, nullptr) << "it led from where the entity was then";
+  EXPECT_EQ(engine.plan().share, 0.0);
 }
 
 TEST(HandTrail, StaysShort) {
