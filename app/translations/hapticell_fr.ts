@@ -1035,6 +1035,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 solides faits de triangles sans aire ont été ignorés</translation>
     </message>
     <message>
+        <source>%1 stands on %2: these feet are not checked against it</source>
+        <translation>%1 se tient sur %2 : ces pieds ne sont pas vérifiés par rapport à lui</translation>
+    </message>
+    <message>
         <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
         <translation>%1 commence à l'intérieur de %2, sans sortie en ligne droite ; il n'est pas retenu tant qu'ils ne sont pas séparés</translation>
     </message>
@@ -13259,8 +13263,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mannequin</translation>
     </message>
     <message>
-        <source>a mannequin can be planned for only while its left or right hand moves it, with nothing locked</source>
-        <translation>une trajectoire ne peut être planifiée pour un mannequin que si sa main gauche ou droite le déplace, sans rien de verrouillé</translation>
+        <source>a mannequin can be planned for only while its left or right hand moves it, with nothing locked and no steps allowed</source>
+        <translation>un mannequin ne peut être planifié que si sa main gauche ou droite le déplace, sans rien de verrouillé et sans pas permis</translation>
     </message>
     <message>
         <source>a mannequin's whole posture (moved: whole)</source>

@@ -47,6 +47,18 @@ Text noteOn(const std::string& robot, const std::vector<std::string>& touching) 
               static_cast<std::int64_t>(touching.size() - kMostNamed));
 }
 
+/// m from a foot to what it stands on, and of the sole over its lowest point: a heel sunk into a carpet. Half of either:
+/// a figure put down by hand is stopped by its floor; twice: what lies beside a foot counts as the floor.
+constexpr double kStandsOn = 2e-3, kSole = 0.02;
+
+/// Whether a part of a figure is a foot whose sole is on the obstacle.
+bool standsOn(const MovedPart& foot, const Pose& X_WF, const ScenePart& obstacle, const Pose& X_WO) {
+  if (!foot.part->name.ends_with("foot")) return false;
+  const auto& collider = foot.part->mesh.collider;
+  const auto found = collision::distance(collider, X_WF, obstacle.mesh.collider, X_WO, 2.0 * kStandsOn);
+  return found.distance < kStandsOn && found.p_WA.z < geometry::transformed(X_WF, collider->bounds()).min.z + kSole;
+}
+
 /// Where the moved parts are while the robot is at rest, its root at the origin.
 std::vector<Pose> restPoses(const kinematics::RobotModel& robot, const std::vector<MovedPart>& parts) {
   std::vector<Pose> X_EL;
@@ -62,7 +74,7 @@ std::vector<Pose> restPoses(const kinematics::RobotModel& robot, const std::vect
 
 HeldPairs::HeldPairs(const HeldModel& model, const Manipulator& manipulator, const Placements& placements,
                      const HoldOptions& options, const config::Configuration& configuration) {
-  gatherObstacles(model, placements, options, configuration);
+  gatherObstacles(model, manipulator, placements, options, configuration);
   first_own_ = static_cast<std::uint32_t>(pairs_.size());
   if (!configuration.robot.self_collision) return;
   gatherOwn(model, manipulator, options, configuration.manipulation.safety_distance);
@@ -74,8 +86,8 @@ void HeldPairs::add(const MotionPair& motion_pair, HeldPair pair) {
   pairs_.push_back(std::move(pair));
 }
 
-void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placements, const HoldOptions& options,
-                                const config::Configuration& configuration) {
+void HeldPairs::gatherObstacles(const HeldModel& model, const Manipulator& manipulator, const Placements& placements,
+                                const HoldOptions& options, const config::Configuration& configuration) {
   const PreparedScene& scene = *model.scene();
   const std::vector<MovedPart>& moved = model.parts();
   std::map<workcell::EntityId, std::unordered_map<workcell::EntityId, workcell::EffectivePair>> rules_of;
@@ -86,10 +98,16 @@ void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placem
       rules->second.emplace(pair.other, pair);
     }
   }
+  // The feet of a figure that is moved by a hand or its head stay (to 0.2 mm) on what they stand on: that is no contact
+  // which could stop it.
+  const bool stays = isOfBody(options.moved_by) && !std::holds_alternative<by::Whole>(options.moved_by);
+  std::vector<Pose> X_WP(moved.size());
+  if (stays) manipulator.partPoses(model.taken(), X_WP);
   for (const ScenePart& part : scene.parts()) {
     if (model.isMoved(part.entity)) continue;
     const Entity& other = *scene.find(part.entity);
     const EntityConfiguration stands = standingOf(other, placements);
+    const Pose X_WO = PreparedScene::partPose(other, stands.X_WE, stands.joints, part.link);
     bool checked = false;
     for (std::uint32_t k = 0; k < moved.size(); ++k) {
       const auto& rules = rules_of[moved[k].owner];
@@ -97,6 +115,10 @@ void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placem
       if (found == rules.end()) continue;
       const workcell::EffectivePair& rule = found->second;
       if (!scene.isChecked(*moved[k].part, part)) continue;
+      if (stays && moved[k].owner == model.id() && standsOn(moved[k], X_WP[k], part, X_WO)) {
+        left_out_note_ = Text("%1 stands on %2: these feet are not checked against it", model.form().name, other.name);
+        continue;
+      }
       const workcell::PairRule* own = scene.ruleFor(*moved[k].part, part);
       HeldPair pair{other.id,
                     moved[k].owner,
@@ -115,7 +137,6 @@ void HeldPairs::gatherObstacles(const HeldModel& model, const Placements& placem
       checked = true;
     }
     if (!checked) continue;
-    const Pose X_WO = PreparedScene::partPose(other, stands.X_WE, stands.joints, part.link);
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles_.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacle_parts_.push_back(&part);
   }

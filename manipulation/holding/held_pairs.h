@@ -26,6 +26,7 @@ struct HeldPair {
 };
 
 /// What a held entity is checked against: the obstacles, and the pairs of its parts with these and among each other.
+/// The feet of a mannequin that is moved by a hand or its head are not checked against what they stand on.
 /// One thread.
 class HeldPairs {
  public:
@@ -53,12 +54,13 @@ class HeldPairs {
   /// A motion check against all of these; call its reset() before use.
   FreeMotion motionCheck(const HeldModel& model) const;
 
-  /// The note about links that touch at rest and are therefore not checked; empty: no such links.
+  /// The note about links that touch at rest, or feet that stand on something, and are therefore not checked; empty:
+  /// there are none.
   const Text& leftOutNote() const { return left_out_note_; }
 
  private:
-  void gatherObstacles(const HeldModel& model, const Placements& placements, const HoldOptions& options,
-                       const config::Configuration& configuration);
+  void gatherObstacles(const HeldModel& model, const Manipulator& manipulator, const Placements& placements,
+                       const HoldOptions& options, const config::Configuration& configuration);
   void gatherOwn(const HeldModel& model, const Manipulator& manipulator, const HoldOptions& options,
                  double safety_distance);
   void add(const MotionPair& motion_pair, HeldPair pair);

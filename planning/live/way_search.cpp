@@ -219,7 +219,7 @@ WaySearch::Found WaySearch::find(const manipulation::PlanView& view, const std::
   const workcell::Entity* entity = view.scene ? view.scene->find(view.entity) : nullptr;
   if (entity != nullptr && entity->figure() != nullptr && !view.hand)
     return fail(Failure::Kind::kStart,
-                Text("a mannequin can be planned for only while its left or right hand moves it, with nothing locked"));
+                Text("a mannequin can be planned for only while its left or right hand moves it, with nothing locked and no steps allowed"));
   if (const auto prepared = prepare(view); !prepared) return fail(Failure::Kind::kStart, prepared.error().text());
   ++searches_;
   const Pose X_TM = space_->toolAt(view.standing).inverse() * view.X_WM;

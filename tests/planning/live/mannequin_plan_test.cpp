@@ -147,9 +147,9 @@ TEST(LivePlanner, GivesUpASearchWhenAnotherEntityIsTaken) {
   }
 }
 
-manipulation::SessionReport leadHand(double authority) {
+manipulation::SessionReport leadHand(double authority, std::vector<workcell::Entity> cell) {
   manipulation::SessionOptions options;
-  options.entities = workerCell();
+  options.entities = std::move(cell);
   options.entity = "worker";
   options.moved_by = manipulation::by::Hand{Side::kRight};
   options.configuration.manipulation.rate_hz = 50.0;
@@ -172,16 +172,27 @@ manipulation::SessionReport leadHand(double authority) {
 }
 
 TEST(LivePlannerOfAMannequin, LeadsTheHandOntoTheBench) {
-  const manipulation::SessionReport led = leadHand(1.0);
+  const manipulation::SessionReport led = leadHand(1.0, workerCell());
   ASSERT_TRUE(led.plan.has_value());
   EXPECT_TRUE(led.plan->solved) << led.end.X_WM.p.x << " " << led.end.X_WM.p.y << " " << led.end.X_WM.p.z;
   EXPECT_LE(led.forces.penetration_blocked_m, 1e-6);
   EXPECT_LE(led.plan->pull_max_step_n_per_ms, 0.05);
   const auto entities = workerCell();
   expectFeetIn(entities.front(), led.end.configuration, 2e-3);
-  const manipulation::SessionReport alone = leadHand(0.0);
+  const manipulation::SessionReport alone = leadHand(0.0, workerCell());
   ASSERT_TRUE(alone.plan.has_value());
   EXPECT_FALSE(alone.plan->solved) << "straight on there is the bench";
+}
+
+/// The usual cell: the soles stand on a floor, which the exact check keeps free of them.
+TEST(LivePlannerOfAMannequin, LeadsTheHandOfAWorkerOnAFloor) {
+  auto cell = workerCell();
+  cell.push_back(test::loaded("box:4,4,0.1", 5, "floor", Pose::translation({0.0, 0.0, -0.05})));
+  const manipulation::SessionReport led = leadHand(1.0, cell);
+  ASSERT_TRUE(led.plan.has_value());
+  EXPECT_TRUE(led.plan->solved) << led.end.X_WM.p.x << " " << led.end.X_WM.p.y << " " << led.end.X_WM.p.z;
+  EXPECT_LE(led.forces.penetration_blocked_m, 1e-5);
+  expectFeetIn(cell.front(), led.end.configuration, 2e-3);
 }
 
 }  // namespace
