@@ -54,8 +54,8 @@ class HeldPairs {
   /// A motion check against all of these; call its reset() before use.
   FreeMotion motionCheck(const HeldModel& model) const;
 
-  /// The note about links that touch at rest, or feet that stand on something, and are therefore not checked; empty:
-  /// there are none.
+  /// The note about what is not checked: links that touch at rest, feet that stand on something. Empty: nothing of that
+  /// kind.
   const Text& leftOutNote() const { return left_out_note_; }
 
  private:
