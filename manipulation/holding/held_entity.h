@@ -37,7 +37,7 @@ class HeldEntity {
   /// The entity's own placement and joints.
   EntityConfiguration standing() const { return state_.model.standing(state_.accepted); }
   Pose movedFrame() const { return state_.movedFrame(); }
-  /// The one hand by which a mannequin is moved with nothing locked; empty: all others.
+  /// The one hand by which a mannequin is moved with nothing locked and no steps allowed; empty: all others.
   const std::optional<mannequin::Side>& hand() const { return state_.hand; }
   /// Entities that move with it, at their present placements: those attached to it, directly or through others (a
   /// gripped part), its external axes, and those attached to these.

@@ -25,6 +25,18 @@ inline workcell::Entity loaded(const std::string& what, workcell::EntityId id, c
   return entity;
 }
 
+/// A link of a mannequin in the world, by the links' own kinematics, which neither planner nor hold uses.
+inline Pose linkPose(const workcell::Entity& worker, const manipulation::EntityConfiguration& at, const char* link) {
+  std::vector<Pose> X_EL;
+  kinematics::forwardKinematics(*worker.robot(), at.joints, X_EL);
+  return at.X_WE * X_EL[static_cast<std::size_t>(worker.robot()->findLink(link))];
+}
+
+/// The grip of its right hand.
+inline Pose gripOf(const workcell::Entity& worker, const manipulation::EntityConfiguration& at) {
+  return linkPose(worker, at, "r_hand") * Pose::translation(worker.figure()->p_HandGrip[1]);
+}
+
 /// A robot (1) on a plate (4) that its base touches, with a wall (2) on the straight way of its tool; a gripper of a
 /// box (3) on its flange.
 inline std::shared_ptr<const manipulation::PreparedScene> robotCell(bool with_gripper = false) {

@@ -21,6 +21,8 @@ namespace hapticell::planning {
 namespace {
 
 using mannequin::Side;
+using test::gripOf;
+using test::linkPose;
 
 /// A standing worker (1) on a floor (2), before a bench (3) that is in the way of a hand that goes up.
 const std::shared_ptr<const manipulation::PreparedScene>& workerCell() {
@@ -43,17 +45,6 @@ Problem problemTo(const Pose& X_WG, Side hand = Side::kRight) {
   problem.leaves_contact = true;
   problem.time_limit_s = 1000.0;
   return problem;
-}
-
-/// The links' own kinematics, which the planner does not use.
-Pose linkPose(const workcell::Entity& worker, const EntityConfiguration& at, const char* link) {
-  std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*worker.robot(), at.joints, X_EL);
-  return at.X_WE * X_EL[static_cast<std::size_t>(worker.robot()->findLink(link))];
-}
-
-Pose gripOf(const workcell::Entity& worker, const EntityConfiguration& at) {
-  return linkPose(worker, at, "r_hand") * Pose::translation(worker.figure()->p_HandGrip[1]);
 }
 
 void expectOnItsFeet(const workcell::Entity& worker, const EntityConfiguration& at, double most) {

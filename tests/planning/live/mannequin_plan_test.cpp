@@ -16,22 +16,13 @@ namespace {
 
 using manipulation::PlanView;
 using mannequin::Side;
+using test::gripOf;
+using test::linkPose;
 
 /// A standing worker (1) whose right hand hangs beside and below a bench (3).
 std::vector<workcell::Entity> workerCell() {
   return {test::loaded("mannequin:female:50", 1, "worker", {}),
           test::loaded("box:0.75,1.5,0.04", 3, "bench", Pose::translation({0.62, 0.0, 0.93}))};
-}
-
-/// By the links' own kinematics, which neither planner nor hold uses.
-Pose linkPose(const workcell::Entity& worker, const EntityConfiguration& at, const char* link) {
-  std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*worker.robot(), at.joints, X_EL);
-  return at.X_WE * X_EL[static_cast<std::size_t>(worker.robot()->findLink(link))];
-}
-
-Pose gripOf(const workcell::Entity& worker, const EntityConfiguration& at) {
-  return linkPose(worker, at, "r_hand") * Pose::translation(worker.figure()->p_HandGrip[1]);
 }
 
 void expectFeetIn(const workcell::Entity& worker, const EntityConfiguration& at, double most) {
